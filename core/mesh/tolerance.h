@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Every tolerance of the core, in one place. Lengths are relative to the diagonal of the model's bounding box.
+namespace cagewright::tolerance {
+
+inline constexpr double touching_loops = 1e-9;     // loops nearer than this touch
+inline constexpr double collinear_stroke = 1e-6;   // second principal extent of a stroke over its first
+inline constexpr double degenerate_radius = 1e-9;  // shortest radius of a slide over the longest
+inline constexpr double largest_ellipse = 50;      // longest radius over the extent of the stroke that it fits
+inline constexpr double on_plane = 1e-9;  // a vertex this near to a slide's plane, as those of its loop, lies on it
+inline constexpr double smallest_anchor_distance = 1e-6;  // bounds the weights of (8)
+inline constexpr double convergence = 1e-3;               // equation (9)
+inline constexpr double flip_gain = 1e-9;                 // radians by which an edge flip must smooth the cage
+inline constexpr double diverged = 10.0;  // a cage vertex farther than this from the model's box has flown
+
+}  // namespace cagewright::tolerance

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "core/mesh/types.h"
+
+namespace cagewright {
+
+// A mesh without two vertices at the same position, without triangles that name a vertex twice and without unused
+// vertices. welded + unused + rows of mesh.points = rows of the input's points.
+struct WeldedMesh {
+  IndexedMesh mesh;                      // vertices and triangles in the order in which the input first names them
+  Triangles given;                       // the kept triangles as the input names them: rows of its points
+  std::size_t welded_vertices = 0;       // merged into an earlier one at the same position
+  std::size_t degenerate_triangles = 0;  // dropped
+  std::size_t unused_vertices = 0;       // dropped: named by no kept triangle
+};
+
+// Merges vertices whose positions are equal bit for bit (-0 equals 0); the first of them stays.
+// Throws Error: mesh_empty (no triangle, or none but degenerate ones), mesh_not_finite (element = vertex), mesh_index
+// (element = triangle). Thread-safe. O(n).
+WeldedMesh weld(const IndexedMesh& mesh);
+
+}  // namespace cagewright

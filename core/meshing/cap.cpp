@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/meshing/cap.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace cagewright {
+namespace {
+
+// A cap never shrinks below this share of its section, so that a pointed part still ends in a rectangle.
+constexpr double least_share = 0.1;
+
+}  // namespace
+
+std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const SectionFrame& section,
+                              const Vector3& into) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  double height = 0;
+  for (int v : part.vertices) height = std::max(height, into.dot(Vector3(points.row(v)) - section.center));
+  const double half_p = section.p.norm(), half_q = section.q.norm();
+  height = std::max(height, least_share * std::min(half_p, half_q));
+  const Vector3 p = section.p / half_p, q = section.q / half_q;
+  Vector2 low(infinity, infinity), high(-infinity, -infinity);
+  for (int v : part.vertices) {
+    const Vector3 offset = Vector3(points.row(v)) - section.center;
+    if (into.dot(offset) < height / 2) continue;
+    const Vector2 flat(p.dot(offset), q.dot(offset));
+    low = low.cwiseMin(flat);
+    high = high.cwiseMax(flat);
+  }
+  if (!(low.x() <= high.x())) low = high = Vector2::Zero();
+  const Vector2 middle = (low + high) / 2;
+  const Vector2 half = ((high - low) / 2).cwiseMax(least_share * Vector2(half_p, half_q));
+  const Vector3 center = section.center + height * into + middle.x() * p + middle.y() * q;
+  return SectionFrame{center, section.normal, half.x() * p, half.y() * q, section.x}.corners();
+}
+
+std::array<Vector3, 8> box_of(const Points& points, const Part& part) {
+  Eigen::AlignedBox3d box;
+  for (int v : part.vertices) box.extend(Vector3(points.row(v)));
+  std::array<Vector3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    corners[static_cast<std::size_t>(i)] = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+  return corners;
+}
+
+const std::array<std::array<int, 3>, 12> box_triangles = {{{0, 2, 3},
+                                                           {0, 3, 1},
+                                                           {4, 5, 7},
+                                                           {4, 7, 6},
+                                                           {0, 1, 5},
+                                                           {0, 5, 4},
+                                                           {2, 6, 7},
+                                                           {2, 7, 3},
+                                                           {0, 4, 6},
+                                                           {0, 6, 2},
+                                                           {1, 3, 7},
+                                                           {1, 7, 5}}};
+
+}  // namespace cagewright

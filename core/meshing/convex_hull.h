@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/types.h"
+
+namespace cagewright {
+
+struct ConvexHull {
+  std::vector<std::array<int, 3>> triangles;  // counter-clockwise from outside, rows of the points
+  std::vector<std::pair<Vector3, double>>
+      planes;  // of each triangle: outward unit n and offset, n.x + offset <= 0 inside
+};
+
+// The hull by Qhull, joggled so that it is simplicial and every extreme point is a vertex even where four or more
+// points are coplanar. Deterministic. Empty where the points have no volume. Thread-safe. O(n log n).
+ConvexHull convex_hull(const std::vector<Vector3>& points);
+
+}  // namespace cagewright

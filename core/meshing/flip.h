@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "core/meshing/spherical_triangulation.h"
+
+namespace cagewright {
+
+// The paper's edge flips (3.3, figure 8): flips an edge where that lessens the sum of the angles between the normals of
+// neighbouring triangles, the best flip first, until none does. `sections`: edges that are never flipped.
+// `fixed_normals`: the outward normals of the triangles that fill a section, by their sorted corners' section; see
+// SectionNormals. Every flip keeps the triangles in front of the centre. O(flips * points).
+struct SectionNormals {
+  std::map<int, int> section_of;  // corner -> section
+  std::vector<Vector3> outward;   // of each section, unit
+};
+void smooth_by_flips(SphericalTriangulation& triangulation, const std::set<Edge>& section_edges,
+                     const SectionNormals& normals);
+
+}  // namespace cagewright

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/meshing/projection_center.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error/error.h"
+#include "core/meshing/convex_hull.h"
+
+namespace cagewright {
+namespace {
+
+using Cone = std::array<Vector3, 4>;  // unit directions to a bound's corners, counter-clockwise from outside
+
+// The least sine over the corners of `other` beyond the planes through the centre and an edge of `cone`; the best of
+// the four planes. Convex spherical polygons that do not overlap are separated by a plane through an edge of one.
+double separation(const Cone& cone, const Cone& other) {
+  double best = -1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vector3 inward = cone[i].cross(cone[(i + 1) % 4]).normalized();
+    double worst = 1;
+    for (const Vector3& direction : other) worst = std::min(worst, -inward.dot(direction));
+    best = std::max(best, worst);
+  }
+  return best;
+}
+
+class Visibility {
+ public:
+  explicit Visibility(const Bounds& bounds) : bounds_(bounds) {
+    for (const Bound& bound : bounds.list) corners_.insert(corners_.end(), bound.corners.begin(), bound.corners.end());
+    hull_ = convex_hull(corners_);
+  }
+
+  double operator()(const Vector3& center) const {
+    if (hull_.triangles.empty()) return -1;
+    double worst = inside_hull(center);
+    std::vector<Cone> cones;
+    for (const Bound& bound : bounds_.list) {
+      Cone cone;
+      for (std::size_t i = 0; i < 4; ++i) {
+        cone[i] = (bound.corners[i] - center).stableNormalized();
+        worst = std::min(worst, bound.outward.dot(cone[i]));
+      }
+      cones.push_back(cone);
+    }
+    if (worst <= 0) return worst;  // cones seen from behind have no inside
+    for (std::size_t i = 0; i < cones.size(); ++i)
+      for (std::size_t j = i + 1; j < cones.size(); ++j)
+        worst = std::min(worst, std::max(separation(cones[i], cones[j]), separation(cones[j], cones[i])));
+    return worst;
+  }
+
+  const ConvexHull& hull() const { return hull_; }
+
+ private:
+  // Over the distance to the farthest corner of all, not of the facet: how a flat side is split into facets is chance.
+  double inside_hull(const Vector3& center) const {
+    double farthest = 0;
+    for (const Vector3& corner : corners_) farthest = std::max(farthest, (corner - center).norm());
+    double nearest = farthest;
+    for (const auto& [normal, offset] : hull_.planes) nearest = std::min(nearest, -(normal.dot(center) + offset));
+    return nearest / farthest;
+  }
+
+  const Bounds& bounds_;
+  std::vector<Vector3> corners_;
+  ConvexHull hull_;
+};
+
+// Steps along the axes and space diagonals of `frame`, halved whenever none gains.
+Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Eigen::Matrix3d& frame) {
+  const double smallest = step / 1024;
+  constexpr double gain = 1e-9;  // ties, as on symmetric parts, keep the point
+  double value = visibility(point);
+  while (step > smallest) {
+    Vector3 best = point;
+    for (int code = 0; code < 27; ++code) {
+      const Vector3 direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      const Vector3 candidate = point + step * (frame * direction);
+      const double there = visibility(candidate);
+      if (there <= value + gain) continue;
+      value = there;
+      best = candidate;
+    }
+    if (best == point) step /= 2;
+    point = best;
+  }
+  return point;
+}
+
+// A smooth stand-in for the least of what matters, without the angles between bounds: -log(sum exp(-b v_i)) / b. Its
+// maximum is one point that moves with the model; that of the least itself is found only up to where a search stops.
+class SmoothVisibility {
+ public:
+  SmoothVisibility(const Bounds& bounds, const ConvexHull& hull, double reach)
+      : bounds_(bounds), hull_(hull), reach_(reach) {}
+
+  // The value, and its gradient.
+  double operator()(const Vector3& center, Vector3& gradient) const {
+    double sum = 0;
+    gradient.setZero();
+    const auto add = [&](double v, const Vector3& v_gradient) {
+      const double weight = std::exp(-sharpness * v);
+      sum += weight;
+      gradient += weight * v_gradient;
+    };
+    for (const Bound& bound : bounds_.list)
+      for (const Vector3& corner : bound.corners) {
+        const Vector3 ray = corner - center;
+        const double length = ray.norm();
+        const double sine = bound.outward.dot(ray) / length;
+        add(sine, (sine * ray / length - bound.outward) / length);
+      }
+    for (const auto& [normal, offset] : hull_.planes) add(-(normal.dot(center) + offset) / reach_, -normal / reach_);
+    gradient /= sum;
+    return -std::log(sum) / sharpness;
+  }
+
+ private:
+  static constexpr double sharpness = 16;
+  const Bounds& bounds_;
+  const ConvexHull& hull_;
+  double reach_;
+};
+
+// Newton's method with the Hessian from differences of the gradient, and steps halved until they gain.
+Vector3 polish(const SmoothVisibility& smooth, Vector3 point, double reach) {
+  constexpr int iterations = 50;
+  const double difference = 1e-6 * reach, enough = 1e-13 * reach;
+  Vector3 gradient, shifted;
+  double value = smooth(point, gradient);
+  for (int i = 0; i < iterations; ++i) {
+    Eigen::Matrix3d hessian;
+    for (int axis = 0; axis < 3; ++axis) {
+      smooth(point + difference * Vector3::Unit(axis), shifted);
+      hessian.col(axis) = (shifted - gradient) / difference;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen((hessian + hessian.transpose()) / 2);
+    const Vector3 curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(1e-3 / (reach * reach));
+    Vector3 step = eigen.eigenvectors() * (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature);
+    if (step.norm() <= enough) return point;
+    for (int halving = 0; halving < 40; ++halving, step /= 2) {
+      const double there = smooth(point + step, shifted);
+      if (there < value - 1e-15) continue;
+      point += step;
+      value = there;
+      gradient = shifted;
+      break;
+    }
+  }
+  return point;
+}
+
+std::string listed(const Bounds& bounds, const std::vector<std::string>& names) {
+  std::string text;
+  for (const Bound& bound : bounds.list) {
+    if (bound.slide < 0) continue;
+    if (!text.empty()) text += ", ";
+    text += "'" + names[static_cast<std::size_t>(bound.slide)] + "'";
+  }
+  return text;
+}
+
+// The two bounds that are nearest to overlapping as seen from `center`, or the one whose plane has it behind.
+std::pair<int, int> culprits(const Bounds& bounds, const Vector3& center) {
+  std::pair<int, int> worst{bounds.list.front().slide, -1};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bounds.list.size(); ++i)
+    for (std::size_t j = i + 1; j < bounds.list.size(); ++j) {
+      Bounds pair;
+      pair.list = {bounds.list[i], bounds.list[j]};
+      const double value = visibility(pair, center);
+      if (value >= least) continue;
+      least = value;
+      worst = {bounds.list[i].slide, bounds.list[j].slide};
+    }
+  if (worst.first < 0) std::swap(worst.first, worst.second);
+  return worst;
+}
+
+}  // namespace
+
+double visibility(const Bounds& bounds, const Vector3& center) { return Visibility(bounds)(center); }
+
+Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names) {
+  const Visibility visible(bounds);
+  const Bound& first = bounds.list.front();
+  Eigen::Matrix3d frame;
+  frame.col(0) = (first.corners[0] - first.corners[1]).stableNormalized();
+  frame.col(2) = first.outward;
+  frame.col(1) = frame.col(2).cross(frame.col(0));
+  double reach = 0;
+  for (const Bound& bound : bounds.list)
+    for (const Vector3& corner : bound.corners) reach = std::max(reach, (corner - bounds.mean()).norm());
+  const Vector3 center = climb(visible, bounds.mean(), reach / 2, frame);
+  if (visible(center) > 0) {
+    const Vector3 polished = polish(SmoothVisibility(bounds, visible.hull(), reach), center, reach);
+    return visible(polished) > 0 ? polished : center;
+  }
+
+  const auto [slide, other] = culprits(bounds, center);
+  ErrorPlace place;
+  place.part = part;
+  place.point = center;
+  if (slide >= 0) place.slide = static_cast<std::size_t>(slide);
+  if (other >= 0) place.other_slide = static_cast<std::size_t>(other);
+  const std::string all = listed(bounds, names);
+  throw Error(ErrorCode::sections_overlap,
+              "no point of the part between the slides " + all + " sees all its sections side by side from inside; " +
+                  (slide >= 0 ? "the worst is '" + names[static_cast<std::size_t>(slide)] + "'" : std::string("")) +
+                  (other >= 0 ? " with '" + names[static_cast<std::size_t>(other)] + "'" : std::string("")) +
+                  ": turn or move it, or cut the part once more",
+              place);
+}
+
+}  // namespace cagewright

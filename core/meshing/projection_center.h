@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/meshing/bound.h"
+
+namespace cagewright {
+
+// How well `center` sees the bounds of a part, in [-1, 1]: the least of
+// - the sine of the angle at which it sees any corner above that bound's plane, from inside;
+// - the sine of the angle between any two bounds as seen from it (negative: they overlap);
+// - how far it lies inside the convex hull of all corners, over the distance to the farthest corner.
+// Positive: the bounds lie side by side on a sphere round it and the corners surround it. O(bounds^2).
+double visibility(const Bounds& bounds, const Vector3& center);
+
+// The centre of projection of 3.3: about the point of greatest visibility. A pattern search from the mean of the
+// bounds' centres (the paper's choice) finds it roughly; Newton's method on a smooth stand-in makes it a point that
+// moves with the model to the last few bits. `part` and the slides' `names` are for the sentence. Throws
+// Error(sections_overlap) where no point has positive visibility. O(bounds^2).
+Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names);
+
+}  // namespace cagewright

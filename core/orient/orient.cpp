@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/orient/orient.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+
+#include "core/error/error.h"
+
+namespace cagewright {
+namespace {
+
+using Matrix2 = Eigen::Matrix2d;
+
+// Pulls a slide that nothing else orients to its own u; far below any weight that means something.
+constexpr double tie_break_weight = 1e-9;
+
+Vector2 pow4(const Vector2& v) {
+  const std::complex<double> unit = std::complex<double>(v.x(), v.y()) / v.norm();
+  const std::complex<double> fourth = unit * unit * unit * unit;
+  return {fourth.real(), fourth.imag()};
+}
+
+double size(const Ellipse& slide) { return slide.u.squaredNorm() + slide.v.squaredNorm(); }  // (4b), (4c)
+
+double smoothness_weight(const Ellipse& k, const Ellipse& h) {  // (4a)
+  const double s_k = size(k), s_h = size(h);
+  return (s_k + s_h - std::abs(s_k - s_h)) / (k.center - h.center).squaredNorm();
+}
+
+double alignment_weight(const Ellipse& k, double lambda) {  // (5b)
+  const double difference = k.u.norm() - k.v.norm();
+  return lambda * difference * difference / size(k);
+}
+
+bool perpendicular(const Ellipse& k, const Ellipse& h) {  // the angle between the normals is in [pi/4, 3 pi/4]
+  return std::abs(k.normal.dot(h.normal)) <= std::numbers::sqrt2 / 2;
+}
+
+Vector2 in_frame_of(const Ellipse& k, const Vector3& direction) {
+  return {k.u.normalized().dot(direction), k.v.normalized().dot(direction)};
+}
+
+// R_kh^4 F_kh of (2), where R_kh F_kh carries coordinates of k to those of h. The axes of h seen from k form a matrix
+// that is near a rotation once F is taken out; its nearest rotation is the SVD's, here in closed form.
+Matrix2 transport(const Ellipse& k, const Ellipse& h) {
+  Matrix2 m;
+  m.row(0) << h.u.normalized().dot(k.u.normalized()), h.u.normalized().dot(k.v.normalized());
+  m.row(1) << h.v.normalized().dot(k.u.normalized()), h.v.normalized().dot(k.v.normalized());
+  Matrix2 flip = Matrix2::Identity();
+  flip(1, 1) = k.normal.dot(h.normal) > 0 ? 1 : -1;  // (3)
+  const Matrix2 r = m * flip;
+  const double angle = std::atan2(r(1, 0) - r(0, 1), r(0, 0) + r(1, 1));
+  return Eigen::Rotation2Dd(4 * angle).toRotationMatrix() * flip;
+}
+
+// (1) as |x|^2_A - 2 b.x + constant, built term by term.
+class Energy {
+ public:
+  explicit Energy(std::size_t slides) : b_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * slides))) {}
+
+  // weight |x_k - target|^2
+  void pull(int k, const Vector2& target, double weight) {
+    add(k, k, weight * Matrix2::Identity());
+    b_.segment<2>(2 * k) += weight * target;
+    constant_ += weight * target.squaredNorm();
+  }
+  // weight |T x_k - x_h|^2
+  void tie(int k, int h, const Matrix2& t, double weight) {
+    add(k, k, weight * t.transpose() * t);
+    add(h, h, weight * Matrix2::Identity());
+    add(h, k, -weight * t);
+    add(k, h, -weight * t.transpose());
+  }
+  Eigen::VectorXd minimiser() const {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix());
+    const Eigen::VectorXd x = solver.solve(b_);
+    if (solver.info() != Eigen::Success || !x.allFinite())
+      throw Error(ErrorCode::internal, "orient: equation (1) has no unique minimum");
+    return x;
+  }
+  double at(const Eigen::VectorXd& x) const { return x.dot(matrix() * x) - 2 * b_.dot(x) + constant_; }
+
+ private:
+  void add(int row, int column, const Matrix2& block) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) entries_.emplace_back(2 * row + i, 2 * column + j, block(i, j));
+  }
+  Eigen::SparseMatrix<double> matrix() const {
+    Eigen::SparseMatrix<double> a(b_.size(), b_.size());
+    a.setFromTriplets(entries_.begin(), entries_.end());
+    return a;
+  }
+
+  std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::VectorXd b_;
+  double constant_ = 0;
+};
+
+Energy equation_1(const std::vector<Ellipse>& slides, const NeighbourPairs& neighbours, double lambda) {
+  Energy energy(slides.size());
+  for (const auto& [first, second] : neighbours) {
+    const Ellipse& k = slides[static_cast<std::size_t>(first)];
+    const Ellipse& h = slides[static_cast<std::size_t>(second)];
+    const double w = smoothness_weight(k, h);
+    if (perpendicular(k, h)) {
+      energy.pull(first, pow4(in_frame_of(k, h.normal)), w);
+      energy.pull(second, pow4(in_frame_of(h, k.normal)), w);
+    } else {
+      energy.tie(first, second, transport(k, h), w);
+    }
+  }
+  for (std::size_t k = 0; k < slides.size(); ++k)
+    energy.pull(static_cast<int>(k), Vector2::UnitX(), alignment_weight(slides[k], lambda));  // (5a)
+  return energy;
+}
+
+// Half the extent of the ellipse along a unit direction in its plane.
+double reach(const Ellipse& slide, const Vector3& direction) {
+  return std::hypot(slide.u.dot(direction), slide.v.dot(direction));
+}
+
+SectionFrame section_of(const Ellipse& slide, const Vector2& x) {
+  const double angle = std::atan2(x.y(), x.x()) / 4;  // the fourth root nearest to u
+  const Vector3 u = slide.u.normalized(), v = slide.v.normalized();
+  const Vector3 p = std::cos(angle) * u + std::sin(angle) * v;
+  const Vector3 q = slide.normal.cross(p);
+  return {slide.center, slide.normal, reach(slide, p) * p, reach(slide, q) * q, x};
+}
+
+}  // namespace
+
+std::array<Vector3, 4> SectionFrame::corners() const {
+  return {center + p + q, center - p + q, center - p - q, center + p - q};
+}
+
+std::vector<SectionFrame> orient(const std::vector<Ellipse>& slides, const NeighbourPairs& neighbours, double lambda) {
+  std::vector<SectionFrame> sections;
+  if (slides.empty()) return sections;
+  Energy energy = equation_1(slides, neighbours, lambda);
+  for (std::size_t k = 0; k < slides.size(); ++k) energy.pull(static_cast<int>(k), Vector2::UnitX(), tie_break_weight);
+  const Eigen::VectorXd x = energy.minimiser();
+  for (std::size_t k = 0; k < slides.size(); ++k)
+    sections.push_back(section_of(slides[k], x.segment<2>(static_cast<Eigen::Index>(2 * k))));
+  return sections;
+}
+
+double orientation_energy(const std::vector<Ellipse>& slides, const NeighbourPairs& neighbours, double lambda,
+                          const std::vector<double>& angles) {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(2 * slides.size()));
+  for (std::size_t k = 0; k < slides.size(); ++k)
+    x.segment<2>(static_cast<Eigen::Index>(2 * k)) = pow4({std::cos(angles[k]), std::sin(angles[k])});
+  return equation_1(slides, neighbours, lambda).at(x);
+}
+
+}  // namespace cagewright

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/refine/refine.h"
+
+namespace cagewright {
+
+// The condition of (7a): the outermost vertex at `signed_distance` is outside the cage or less than delta inside it. A
+// vertex that is at delta up to `tolerance`, as a cap's highest one is from the start, counts, whatever rounding says.
+bool still_moves(double signed_distance, double delta, double tolerance);
+
+// Equations (6) and (7) for a cage that moves. Keeps, between calls, which triangle each model vertex was seen through.
+class AnchorFinder {
+ public:
+  // What is passed in must outlive the finder.
+  AnchorFinder(const Segmentation& segmentation, const std::vector<SectionFrame>& sections, const Cage& topology,
+               const RefineOptions& options, double diagonal);
+
+  // Fills normals, anchors, signed_distance, outermost and max_signed_distance of `record` for a cage at `points`
+  // (n x 3, as Cage::points). The same bits for any number of threads. O(model vertices) when little moved since the
+  // last call, at most O(model vertices * triangles of a part).
+  void find(const Points& points, RefineRecord& record);
+
+ private:
+  struct Part {
+    std::size_t index;
+    std::vector<int> triangles;     // rows of the cage's triangles
+    std::vector<int> seen_through;  // of each of the part's vertices: index into `triangles`, or `inside`
+  };
+  struct Block {  // a run of one part's vertices: the unit of parallel work
+    std::size_t part, begin, end;
+  };
+  struct Farthest {
+    double distance;
+    long vertex;
+  };
+  class Cones;
+
+  void search_local(const Points& points, const Block& block, std::vector<Farthest>& best);
+  void search_part(const Points& points, const Block& block, std::vector<Farthest>& best) const;
+  void set_normals(const Points& points, RefineRecord& record) const;
+  double distance(long vertex, int triangle) const;
+
+  const Segmentation& segmentation_;
+  const std::vector<SectionFrame>& sections_;
+  const Cage& topology_;
+  const RefineOptions& options_;
+  double delta_, on_plane_;  // model units
+  std::vector<Part> parts_;
+  std::vector<Block> blocks_;
+  Points normals_, barycenters_;  // of the cage's triangles at the current call
+};
+
+}  // namespace cagewright

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/refine/refine.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error/error.h"
+#include "core/mesh/tolerance.h"
+#include "core/refine/anchors.h"
+#include "core/refine/trust_region.h"
+
+namespace cagewright {
+namespace {
+
+Points plane_normals(const Cage& cage, const std::vector<SectionFrame>& sections, bool in_plane) {
+  Points normals = Points::Zero(cage.points.rows(), 3);
+  if (!in_plane) return normals;
+  for (std::size_t j = 0; j < cage.vertex_section.size(); ++j)
+    if (const int k = cage.vertex_section[j]; k >= 0)
+      normals.row(static_cast<Eigen::Index>(j)) = sections[static_cast<std::size_t>(k)].normal.transpose();
+  return normals;
+}
+
+[[noreturn]] void fail_diverged(const Segmentation& segmentation, const Cage& cage,
+                                const std::vector<std::string>& names, Eigen::Index vertex, const Vector3& from) {
+  ErrorPlace place;
+  place.element = static_cast<std::size_t>(vertex);
+  place.point = from;
+  for (Eigen::Index t = 0; t < cage.triangles.rows() && !place.part; ++t)
+    if ((cage.triangles.row(t).array() == static_cast<int>(vertex)).any())
+      place.part = static_cast<std::size_t>(cage.triangle_part[static_cast<std::size_t>(t)]);
+  std::string slides;
+  for (const PartSection& side : segmentation.parts[place.part.value_or(0)].sections) {
+    if (!place.slide) place.slide = static_cast<std::size_t>(side.slide);
+    slides += (slides.empty() ? "'" : ", '") + names[static_cast<std::size_t>(side.slide)] + "'";
+  }
+  throw Error(ErrorCode::refine_diverged,
+              "the refinement drove cage vertex " + std::to_string(vertex) + ", last near " + to_text(from) +
+                  ", out of all bounds: cut the part between the slides " + slides +
+                  " once more, or set refine.scope to local",
+              place);
+}
+
+void check_bounded(const Segmentation& segmentation, const Cage& cage, const std::vector<std::string>& names,
+                   const RefineRecord& record, const Eigen::AlignedBox3d& allowed) {
+  for (Eigen::Index j = 0; j < record.after.rows(); ++j)
+    if (!allowed.contains(Vector3(record.after.row(j))))
+      fail_diverged(segmentation, cage, names, j, record.before.row(j));
+}
+
+// More weight for the triangles that have yet to move (7a) than for those that only keep their place (7b).
+std::vector<double> push_factors(const RefineRecord& record, double delta, double diagonal, double push) {
+  std::vector<double> factors;
+  for (const double d : record.signed_distance)
+    factors.push_back(still_moves(d, delta, tolerance::on_plane * diagonal) ? push : 1);
+  return factors;
+}
+
+bool meets_equation_9(double max_signed_distance, double delta, double diagonal) {
+  return std::abs(-max_signed_distance - delta) <= tolerance::convergence * diagonal;
+}
+
+}  // namespace
+
+Refinement refine(const Segmentation& segmentation, const std::vector<SectionFrame>& sections, const Cage& cage,
+                  double diagonal, const std::vector<std::string>& names, const RefineOptions& options,
+                  const Progress& progress) {
+  const double delta = options.delta * diagonal;
+  Refinement result{cage, {}, 0, false};
+  AnchorFinder anchors(segmentation, sections, cage, options, diagonal);
+  const Points normals = plane_normals(cage, sections, options.in_plane);
+  const Vector3 margin = Vector3::Constant(tolerance::diverged * diagonal);
+  const Eigen::AlignedBox3d allowed(segmentation.cut.points.colwise().minCoeff().transpose() - margin,
+                                    segmentation.cut.points.colwise().maxCoeff().transpose() + margin);
+  for (int k = 0;; ++k) {
+    if (progress && !progress(static_cast<double>(k) / std::max(1, options.iterations)))
+      throw Error(ErrorCode::cancelled, "cancelled while the cage was refined");
+    RefineRecord record;
+    record.before = result.cage.points;
+    record.plane_normal = normals;
+    anchors.find(result.cage.points, record);
+    result.max_signed_distance = record.max_signed_distance;
+    result.converged = meets_equation_9(record.max_signed_distance, delta, diagonal);
+    if (result.converged || k >= options.iterations) return result;
+    trusted_step(cage, push_factors(record, delta, diagonal, options.push), options.damping,
+                 tolerance::smallest_anchor_distance * diagonal, record);
+    check_bounded(segmentation, cage, names, record, allowed);
+    result.cage.points = record.after;
+    result.records.push_back(std::move(record));
+  }
+}
+
+}  // namespace cagewright

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/slide/plane_loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error/error.h"
+#include "core/mesh/predicates.h"
+#include "core/slide/fit_ellipse.h"
+#include "core/slide/plane_frame.h"
+
+namespace cagewright {
+namespace {
+
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+// Signed distance of every vertex, times |normal|. Computed once, so that every edge sees the same sign of its ends.
+std::vector<double> heights(const HalfEdgeMesh& mesh, const Vector3& point, const Vector3& normal) {
+  std::vector<double> height(mesh.n_vertices());
+  for (std::size_t i = 0; i < height.size(); ++i)
+    height[i] = normal.dot(mesh.point(VertexHandle(static_cast<int>(i))) - point);
+  return height;
+}
+
+bool ahead(double height) { return height >= 0; }
+
+// The next crossed half-edge, from behind to ahead, in the triangle on the right of `h`: that way the loop round solid
+// material runs counter-clockwise about the normal.
+HalfedgeHandle next_crossed(const HalfEdgeMesh& mesh, const std::vector<double>& height, HalfedgeHandle h) {
+  const HalfedgeHandle back = mesh.opposite_halfedge_handle(h);
+  const HalfedgeHandle next = mesh.next_halfedge_handle(back);
+  const VertexHandle third = mesh.to_vertex_handle(next);
+  return ahead(height[static_cast<std::size_t>(third.idx())]) ? next : mesh.prev_halfedge_handle(back);
+}
+
+Vector3 crossing(const HalfEdgeMesh& mesh, const std::vector<double>& height, HalfedgeHandle h) {
+  const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
+  const double behind = height[static_cast<std::size_t>(a.idx())], before = height[static_cast<std::size_t>(b.idx())];
+  return mesh.point(a) + behind / (behind - before) * (mesh.point(b) - mesh.point(a));
+}
+
+double signed_area(const std::vector<Vector2>& polygon) {
+  double area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  return area;
+}
+
+double distance_to(const std::vector<Vector2>& polygon, const Vector2& point) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2& a = polygon[i];
+    const Vector2 edge = polygon[(i + 1) % polygon.size()] - a;
+    const double length = edge.squaredNorm();
+    const double t = length > 0 ? std::clamp(edge.dot(point - a) / length, 0.0, 1.0) : 0.0;
+    best = std::min(best, (a + t * edge - point).norm());
+  }
+  return best;
+}
+
+// The innermost loop of solid material round `center`: it runs counter-clockwise and has the least area.
+const PlaneLoop* enclosing_loop(const std::vector<PlaneLoop>& loops, const Vector3& center, const Vector3& normal) {
+  const PlaneFrame frame(center, normal);
+  const PlaneLoop* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlaneLoop& loop : loops) {
+    const double area = signed_area(frame.to_plane(loop.points));
+    if (area <= 0 || area >= least || winding_number(loop.points, center, normal) <= 0) continue;
+    best = &loop;
+    least = area;
+  }
+  return best;
+}
+
+const PlaneLoop* nearest_loop(const std::vector<PlaneLoop>& loops, const Vector3& point, const Vector3& normal) {
+  const PlaneFrame frame(point, normal);
+  const PlaneLoop* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlaneLoop& loop : loops) {
+    const std::vector<Vector2> polygon = frame.to_plane(loop.points);
+    const double distance = distance_to(polygon, Vector2::Zero());
+    if (signed_area(polygon) <= 0 || distance >= least) continue;
+    best = &loop;
+    least = distance;
+  }
+  return best;
+}
+
+// A point well inside the loop, for a crescent whose centroid is not: the best of a grid along u and v.
+Vector3 deepest_point(const Points& loop, const Ellipse& ellipse) {
+  const PlaneFrame frame(ellipse.center, ellipse.normal);
+  const std::vector<Vector2> polygon = frame.to_plane(loop);
+  const int steps = 24;
+  Vector3 best = ellipse.center;
+  double depth = 0;
+  for (int i = -steps; i <= steps; ++i) {
+    for (int j = -steps; j <= steps; ++j) {
+      const Vector3 candidate = ellipse.center + 2.0 * i / steps * ellipse.u + 2.0 * j / steps * ellipse.v;
+      const double distance = distance_to(polygon, frame.to_plane(candidate));
+      if (distance <= depth || winding_number(loop, candidate, ellipse.normal) <= 0) continue;
+      best = candidate;
+      depth = distance;
+    }
+  }
+  return best;
+}
+
+[[noreturn]] void fail(ErrorCode code, const std::string& sentence, std::size_t index, const Vector3& point) {
+  ErrorPlace place;
+  place.slide = index;
+  place.point = point;
+  throw Error(code, sentence, place);
+}
+
+SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const PointNormalDefinition& plane, const std::string& name,
+                            std::size_t index) {
+  const std::vector<PlaneLoop> loops = plane_loops(mesh, plane.point, plane.normal);
+  const PlaneLoop* loop = enclosing_loop(loops, plane.point, plane.normal);
+  if (!loop) loop = nearest_loop(loops, plane.point, plane.normal);
+  if (!loop)
+    fail(ErrorCode::slide_misses_model,
+         "slide '" + name + "' misses the model: its plane through " + to_text(plane.point) +
+             " does not meet it; move the point onto the limb to cut",
+         index, plane.point);
+  SlideOnModel placed{fit_loop(loop->points, plane.point, plane.normal, name), *loop};
+  if (winding_number(loop->points, placed.ellipse.center, placed.ellipse.normal) <= 0)
+    placed.ellipse.center = deepest_point(loop->points, placed.ellipse);
+  return placed;
+}
+
+SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, const std::string& name,
+                           std::size_t index) {
+  const std::vector<PlaneLoop> loops = plane_loops(mesh, ellipse.center, ellipse.normal);
+  if (loops.empty())
+    fail(ErrorCode::slide_misses_model,
+         "slide '" + name + "' misses the model: its plane through " + to_text(ellipse.center) +
+             " does not meet it; move the slide onto the limb to cut",
+         index, ellipse.center);
+  const PlaneLoop* loop = enclosing_loop(loops, ellipse.center, ellipse.normal);
+  if (!loop)
+    fail(ErrorCode::slide_not_enclosed,
+         "slide '" + name + "': no closed loop of the model goes round its centre " + to_text(ellipse.center) +
+             " in its plane; move the centre inside the limb to cut",
+         index, ellipse.center);
+  return {ellipse, *loop};
+}
+
+}  // namespace
+
+std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const Vector3& point, const Vector3& normal) {
+  const std::vector<double> height = heights(mesh, point, normal.stableNormalized());
+  std::vector<PlaneLoop> loops;
+  std::vector<bool> visited(mesh.n_edges(), false);
+  for (std::size_t e = 0; e < mesh.n_edges(); ++e) {
+    if (visited[e]) continue;
+    HalfedgeHandle start = mesh.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(e)), 0);
+    const bool from = ahead(height[static_cast<std::size_t>(mesh.from_vertex_handle(start).idx())]);
+    const bool to = ahead(height[static_cast<std::size_t>(mesh.to_vertex_handle(start).idx())]);
+    if (from == to) continue;
+    if (from) start = mesh.opposite_halfedge_handle(start);
+    PlaneLoop loop;
+    HalfedgeHandle h = start;
+    do {
+      visited[static_cast<std::size_t>(mesh.edge_handle(h).idx())] = true;
+      loop.crossed.push_back(h);
+      h = next_crossed(mesh, height, h);
+    } while (h != start);
+    loop.points.resize(static_cast<Eigen::Index>(loop.crossed.size()), 3);
+    for (std::size_t i = 0; i < loop.crossed.size(); ++i)
+      loop.points.row(static_cast<Eigen::Index>(i)) = crossing(mesh, height, loop.crossed[i]).transpose();
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+int winding_number(const Points& loop, const Vector3& center, const Vector3& normal) {
+  const PlaneFrame frame(center, normal);
+  const std::vector<Vector2> polygon = frame.to_plane(loop);
+  const Vector2 query = Vector2::Zero();
+  int winding = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2& a = polygon[i];
+    const Vector2& b = polygon[(i + 1) % polygon.size()];
+    if (a.y() <= 0 && b.y() > 0 && orient2d(a, b, query) > 0) ++winding;
+    if (a.y() > 0 && b.y() <= 0 && orient2d(a, b, query) < 0) --winding;
+  }
+  return winding;
+}
+
+SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index) {
+  try {
+    check_definition(slide);
+    if (const auto* plane = std::get_if<PointNormalDefinition>(&slide.definition))
+      return place_by_point(mesh, *plane, slide.name, index);
+    if (const auto* stroke = std::get_if<StrokeDefinition>(&slide.definition))
+      return place_ellipse(mesh, fit_stroke(stroke->points, slide.name), slide.name, index);
+    return place_ellipse(mesh, from_radii(std::get<EllipseDefinition>(slide.definition), slide.name), slide.name,
+                         index);
+  } catch (const Error& error) {
+    ErrorPlace place = error.place();
+    place.slide = index;
+    throw Error(error.code(), error.what(), place);
+  }
+}
+
+}  // namespace cagewright

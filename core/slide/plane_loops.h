@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/half_edge_mesh.h"
+#include "core/slide/slide.h"
+
+namespace cagewright {
+
+// A closed curve in which a plane meets a closed mesh. Vertices on the plane count as being ahead of it, so that every
+// crossed edge has one end strictly behind and the curves never branch.
+struct PlaneLoop {
+  std::vector<OpenMesh::HalfedgeHandle> crossed;  // from behind to ahead, in order round the loop
+  Points points;                                  // n x 3: where they cross, row = crossed edge
+};
+
+// All loops of the plane through `point` with normal `normal` (any length > 0). O(n).
+std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const Vector3& point, const Vector3& normal);
+
+// How often the loop goes round `center` in the plane with `normal`: 0 where it does not enclose it. Exact on the
+// projected coordinates. O(n).
+int winding_number(const Points& loop, const Vector3& center, const Vector3& normal);
+
+// Finds the ellipse of `slide` on the model and the loop that it cuts: the innermost one round the centre.
+// A point-and-normal slide takes the loop round its point, else the nearest one.
+// Throws Error: those of fit_ellipse.h, slide_misses_model, slide_not_enclosed. `index` is the slide's, for the error.
+// O(n).
+struct SlideOnModel {
+  Ellipse ellipse;
+  PlaneLoop loop;
+};
+SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index);
+
+}  // namespace cagewright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "core/mesh/types.h"
+
+namespace cagewright {
+
+// A cut slide's ellipse (paper 3.1): center + cos(a) u + sin(a) v.
+struct Ellipse {
+  Vector3 center = Vector3::Zero();
+  Vector3 normal = Vector3::UnitZ();  // unit, along u x v
+  Vector3 u = Vector3::UnitX();       // principal radii: orthogonal, |u| >= |v| > 0
+  Vector3 v = Vector3::UnitY();
+};
+
+struct StrokeDefinition {
+  Points points;  // n x 3, in the order drawn
+};
+struct PointNormalDefinition {
+  Vector3 point, normal;  // the normal need not be unit
+};
+struct EllipseDefinition {
+  Vector3 center, u, v;  // conjugate radii
+};
+using SlideDefinition = std::variant<StrokeDefinition, PointNormalDefinition, EllipseDefinition>;
+
+// What the user asked for. The name is used in sentences.
+struct Slide {
+  std::string name;
+  SlideDefinition definition;
+};
+
+}  // namespace cagewright

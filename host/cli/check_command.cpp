@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/cli/check_command.h"
+
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "host/cli/exit_code.h"
+#include "host/cli/input_error.h"
+#include "host/cli/progress.h"
+#include "host/cli/run_report.h"
+#include "host/cli/text.h"
+#include "host/file/atomic_file.h"
+#include "host/file/file_error.h"
+#include "host/file/mesh_reader.h"
+#include "host/plugin_client/find_plugin.h"
+#include "host/plugin_client/plugin_error.h"
+
+namespace cagewright::host {
+namespace {
+
+cgw_mesh_report inspect_file(const Plugin& plugin, const std::filesystem::path& path, Progress& progress) {
+  const MeshFile file = read_mesh(path);
+  for (const std::string& note : file.notes) progress.note(note);
+  try {
+    return plugin.inspect(file.mesh);
+  } catch (const PluginError& error) {
+    if (blame(error.status()) != Blame::model) throw;
+    throw InputError(path.string() + ": " + error.what());
+  }
+}
+
+void append_fault(std::string& faults, std::uint64_t count, const char* noun) {
+  if (count == 0) return;
+  if (!faults.empty()) faults += ", ";
+  faults += counted(count, noun);
+}
+
+// What keeps a mesh from being a closed, consistently oriented 2-manifold; "" where nothing does.
+std::string faults_of(const cgw_mesh_report& mesh) {
+  std::string faults;
+  append_fault(faults, mesh.open_edges, "open edge");
+  append_fault(faults, mesh.non_manifold_edges, "non-manifold edge");
+  append_fault(faults, mesh.inconsistent_edges, "inconsistently oriented edge");
+  append_fault(faults, mesh.bow_tie_vertices, "bow-tie vertex");
+  return faults;
+}
+
+void print_mesh(const char* name, const std::filesystem::path& path, const cgw_mesh_report& mesh) {
+  std::cout << name << " " << path.string() << "\n  " << counted(mesh.vertices, "vertex") << ", "
+            << counted(mesh.triangles, "triangle") << ", " << counted(mesh.components, "component");
+  if (mesh.genus >= 0) std::cout << ", genus " << mesh.genus;
+  std::cout << "\n  " << (mesh.closed == 1 ? "closed" : "not closed") << ", "
+            << (mesh.consistently_oriented == 1 ? "consistently oriented" : "not consistently oriented")
+            << (mesh.inside_out == 1 ? ", inside out" : "") << "\n";
+  if (const std::string faults = faults_of(mesh); !faults.empty()) std::cout << "  " << faults << "\n";
+  if (mesh.degenerate_triangles > 0) {
+    std::cout << "  " << counted(mesh.degenerate_triangles, "degenerate triangle") << " not counted\n";
+  }
+}
+
+// Only closed meshes that know their inside have a volume.
+std::optional<double> volume_ratio(const cgw_mesh_report& model, const cgw_mesh_report& cage) {
+  for (const cgw_mesh_report* mesh : {&model, &cage}) {
+    if (mesh->closed != 1 || mesh->consistently_oriented != 1) return std::nullopt;
+  }
+  const double ratio = std::abs(cage.signed_volume) / std::abs(model.signed_volume);
+  return std::isfinite(ratio) ? std::optional<double>(ratio) : std::nullopt;
+}
+
+Report::Option path_option(const std::filesystem::path& path) { return path.string(); }
+
+}  // namespace
+
+int run_check(const CheckCommand& command) {
+  if (command.report) require_writable(*command.report);
+  const std::shared_ptr<const Plugin> plugin = Plugin::load(find_plugin(command.plugin));
+  Progress progress(command.quiet);
+  const cgw_mesh_report model = inspect_file(*plugin, command.model, progress);
+  const cgw_mesh_report cage = inspect_file(*plugin, command.cage, progress);
+  const bool is_good = is_closed_manifold(cage);
+
+  Report report;
+  report.model = describe_mesh(model);
+  const Report::Mesh cage_mesh = describe_mesh(cage);
+  report.cage = {cage_mesh.vertices, cage_mesh.triangles, cage_mesh.genus};
+  report.certificate.closed = is_good;
+  report.tightness.volume_ratio = volume_ratio(model, cage);
+  report.peak_memory_mb = peak_memory_mb();
+  report.version = CAGEWRIGHT_VERSION;
+  report.options = {{"model", path_option(command.model)}, {"cage", path_option(command.cage)}};
+  if (command.report) write_atomically(*command.report, report_text(report));
+
+  print_mesh("model", command.model, model);
+  print_mesh("cage", command.cage, cage);
+  const std::optional<double> ratio = report.tightness.volume_ratio;
+  std::cout << "volume ratio " << (ratio ? number_text(*ratio) : "unknown") << "\n"
+            << "the cage is " << (is_good ? "" : "NOT ") << "a closed, consistently oriented 2-manifold\n";
+  return is_good ? exit_done : exit_not_certified;
+}
+
+}  // namespace cagewright::host

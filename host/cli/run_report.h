@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_CLI_RUN_REPORT_H
+#define CAGEWRIGHT_HOST_CLI_RUN_REPORT_H
+
+#include "host/cli/command_line.h"
+#include "host/file/report_file.h"
+#include "host/plugin_client/plugin.h"
+#include "host/plugin_client/session.h"
+
+namespace cagewright::host {
+
+// What a solved session tells, without the timings of this program (read, write, total) and its memory. `cage` is what
+// the plug-in says of the session's cage as a mesh. Throws PluginError.
+Report describe_run(const CageCommand& command, const Plugin& plugin, const Session& session, const TriangleMesh& cage,
+                    const cgw_mesh_report& cage_report);
+
+Report::Mesh describe_mesh(const cgw_mesh_report& report);
+
+// The largest memory that this process has held so far, in MiB.
+double peak_memory_mb();
+
+}  // namespace cagewright::host
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/file/mesh_reader.h"
+
+#include <array>
+#include <string>
+
+#include "host/file/file_bytes.h"
+#include "host/file/file_error.h"
+
+namespace cagewright::host {
+namespace {
+
+using Reader = MeshFile (*)(const std::filesystem::path&, std::string_view);
+
+struct Format {
+  std::string_view ending;
+  Reader read;
+};
+constexpr std::array<Format, 6> formats = {{{".obj", read_obj},
+                                            {".off", read_off},
+                                            {".ply", read_ply},
+                                            {".stl", read_stl},
+                                            {".glb", read_gltf},
+                                            {".gltf", read_gltf}}};
+
+Reader reader_for(const std::filesystem::path& path) {
+  const std::string ending = lower_ending(path);
+  for (const Format& format : formats) {
+    if (format.ending == ending) return format.read;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_mesh_file_name(const std::filesystem::path& path) { return reader_for(path) != nullptr; }
+
+MeshFile read_mesh(const std::filesystem::path& path) {
+  const Reader read = reader_for(path);
+  if (read == nullptr) {
+    const std::string ending = lower_ending(path);
+    throw FileError(path, {},
+                    (ending.empty() ? std::string("it has no ending") : "the ending " + in_quotes(ending) + " is unknown") +
+                        "; a mesh file ends in .obj, .off, .ply, .stl, .glb or .gltf");
+  }
+  const std::string bytes = read_bytes(path);
+  if (bytes.empty()) throw FileError(path, {}, "is not a mesh: the file is empty");
+  return read(path, bytes);
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_FILE_REPORT_FILE_H
+#define CAGEWRIGHT_HOST_FILE_REPORT_FILE_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cagewright::host {
+
+// What a run of the program found. What nobody computed is empty here and null in the file, never a stand-in.
+struct Report {
+  struct Mesh {
+    std::optional<std::uint64_t> vertices, triangles, components;
+    std::optional<std::int64_t> genus;
+    std::optional<bool> closed;
+  };
+  struct Slide {
+    std::string name;
+    std::string status;   // the plug-in's name of it, "ok"
+    std::string message;  // "" or a sentence
+  };
+  struct Cage {
+    std::optional<std::uint64_t> vertices, triangles;
+    std::optional<std::int64_t> genus;
+  };
+  struct Refinement {
+    std::optional<std::uint64_t> iterations;
+    std::optional<bool> converged;
+    // Before each iteration and, last, of the final cage.
+    std::vector<std::optional<double>> max_signed_distance_over_diagonal;
+  };
+  struct Certificate {
+    std::optional<bool> closed;
+    std::optional<std::uint64_t> self_intersections, model_cage_intersections, vertices_outside;
+    std::optional<bool> encloses;
+  };
+  struct Tightness {
+    std::optional<double> volume_ratio, mean_gap_over_diagonal, max_gap_over_diagonal;
+  };
+  struct Timings {  // milliseconds
+    std::optional<double> read, segment, orient, meshing, refine, enclose, write, total;
+  };
+  using Option = std::variant<bool, std::int64_t, double, std::string>;
+
+  Mesh model;
+  std::vector<Slide> slides;
+  std::optional<std::uint64_t> parts;
+  Cage cage;
+  Refinement refinement;
+  Certificate certificate;
+  Tightness tightness;
+  Timings timings_ms;
+  std::optional<double> peak_memory_mb;
+  std::string version;
+  std::vector<std::pair<std::string, Option>> options;  // what the run was asked for, defaults too
+};
+
+// The report as JSON with the keys of the structs above, indented. NaN and infinity become null.
+std::string report_text(const Report& report);
+
+}  // namespace cagewright::host
+
+#endif

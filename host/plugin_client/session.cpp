@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/plugin_client/session.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cagewright::host {
+namespace {
+
+constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+void copy(const Point3& from, double (&to)[3]) { std::copy(from.begin(), from.end(), to); }
+
+// Borrows the slide's name and stroke.
+cgw_slide_input to_input(const Slide& slide) {
+  cgw_slide_input input = CGW_SLIDE_INPUT_INIT;
+  input.name = slide.name.c_str();
+  if (const auto* stroke = std::get_if<Slide::Stroke>(&slide.shape)) {
+    static_assert(sizeof(Point3) == 3 * sizeof(double));
+    input.kind = CGW_SLIDE_STROKE;
+    input.stroke = stroke->points.empty() ? nullptr : stroke->points.front().data();
+    input.stroke_count = stroke->points.size();
+  } else if (const auto* plane = std::get_if<Slide::PointNormal>(&slide.shape)) {
+    input.kind = CGW_SLIDE_POINT_NORMAL;
+    copy(plane->point, input.point);
+    copy(plane->normal, input.normal);
+  } else if (const auto* ellipse = std::get_if<Slide::Ellipse>(&slide.shape)) {
+    input.kind = CGW_SLIDE_ELLIPSE;
+    copy(ellipse->center, input.point);
+    copy(ellipse->u, input.u);
+    copy(ellipse->v, input.v);
+  }
+  return input;
+}
+
+}  // namespace
+
+Session::Session(std::shared_ptr<const Plugin> plugin, SessionListener listener)
+    : plugin_(std::move(plugin)), listener_(std::move(listener)) {
+  cgw_host host = CGW_HOST_INIT;
+  host.user = this;
+  host.log = log;
+  host.progress = progress;
+  check(api().session_create(&host, &session_), "session_create");
+}
+
+Session::~Session() { api().session_destroy(session_); }
+
+void Session::log(void* user, std::int32_t level, const char* message) {
+  const auto& listener = static_cast<Session*>(user)->listener_;
+  if (listener.log && message != nullptr) listener.log(level, message);
+}
+
+std::int32_t Session::progress(void* user, double fraction, const char* stage) {
+  const auto& listener = static_cast<Session*>(user)->listener_;
+  return !listener.may_continue || listener.may_continue(fraction, stage == nullptr ? "" : stage) ? 0 : 1;
+}
+
+void Session::set_mesh(const TriangleMesh& mesh) {
+  const cgw_mesh borrowed = borrow(mesh);
+  check(api().set_mesh(session_, &borrowed), "set_mesh");
+}
+
+cgw_mesh_report Session::mesh_report() const {
+  cgw_mesh_report report = CGW_MESH_REPORT_INIT;
+  check(api().mesh_report(session_, &report), "mesh_report");
+  return report;
+}
+
+void Session::set_parameter(const std::string& id, const std::string& text) {
+  check(api().set_parameter_text(session_, id.c_str(), text.c_str()), "set_parameter_text");
+}
+
+double Session::parameter(const std::string& id) const {
+  double value = 0;
+  check(api().get_parameter(session_, id.c_str(), &value), "get_parameter");
+  return value;
+}
+
+std::uint64_t Session::add_slide(const Slide& slide) {
+  const cgw_slide_input input = to_input(slide);
+  std::uint64_t id = CGW_NO_ID;
+  check(api().slide_add(session_, &input, &id), "slide_add");
+  return id;
+}
+
+std::vector<SlideInfo> Session::slides() const {
+  std::vector<SlideInfo> slides(api().slide_count(session_));
+  for (std::size_t i = 0; i < slides.size(); ++i) {
+    SlideInfo& slide = slides[i];
+    check(api().slide_info(session_, i, &slide.info), "slide_info");
+    if (const char* name = std::exchange(slide.info.name, nullptr)) slide.name = name;
+    if (const char* message = std::exchange(slide.info.message, nullptr)) slide.message = message;
+  }
+  return slides;
+}
+
+void Session::solve(std::uint32_t threads) {
+  cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
+  options.threads = threads;
+  check(api().solve(session_, &options), "solve");
+}
+
+TriangleMesh Session::cage() const {
+  cgw_cage cage = CGW_CAGE_INIT;
+  check(api().get_cage(session_, &cage), "get_cage");
+  TriangleMesh mesh;
+  mesh.points.resize(3 * cage.vertex_count);
+  mesh.triangles.resize(3 * cage.triangle_count);
+  cage.vertices = mesh.points.data();
+  cage.vertex_capacity = cage.vertex_count;
+  cage.triangles = mesh.triangles.data();
+  cage.triangle_capacity = cage.triangle_count;
+  check(api().get_cage(session_, &cage), "get_cage");
+  return mesh;
+}
+
+std::vector<cgw_section> Session::sections() const {
+  std::vector<cgw_section> sections(api().section_count(session_), cgw_section CGW_SECTION_INIT);
+  for (std::size_t i = 0; i < sections.size(); ++i) check(api().get_section(session_, i, &sections[i]), "get_section");
+  return sections;
+}
+
+std::uint64_t Session::part_count() const {
+  cgw_parts parts = CGW_PARTS_INIT;
+  check(api().get_parts(session_, &parts), "get_parts");
+  return parts.part_count;
+}
+
+cgw_summary Session::summary() const {
+  cgw_summary summary = CGW_SUMMARY_INIT;
+  for (double* figure : {&summary.max_signed_distance, &summary.volume_ratio, &summary.segment_ms, &summary.orient_ms,
+                         &summary.meshing_ms, &summary.refine_ms}) {
+    *figure = not_computed;
+  }
+  check(api().get_summary(session_, &summary), "get_summary");
+  return summary;
+}
+
+std::vector<double> Session::max_signed_distances() const {
+  std::vector<double> distances;
+  for (std::uint64_t i = 0; i < api().iteration_count(session_); ++i) {
+    cgw_iteration iteration = CGW_ITERATION_INIT;
+    iteration.max_signed_distance = not_computed;
+    check(api().get_iteration(session_, i, &iteration), "get_iteration");
+    distances.push_back(iteration.max_signed_distance);
+  }
+  return distances;
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host/plugin_client/find_plugin.h"
+#include "host/plugin_client/plugin.h"
+#include "host/plugin_client/plugin_error.h"
+#include "host/plugin_client/session.h"
+#include "host/tests/environment.h"
+#include "host/tests/sample_meshes.h"
+
+namespace cagewright::host {
+namespace {
+
+std::shared_ptr<const Plugin> fake() { return Plugin::load(FAKE_PLUGIN); }
+
+bool is_loaded() {
+  void* library = ::dlopen(FAKE_PLUGIN, RTLD_NOW | RTLD_NOLOAD);
+  if (library != nullptr) ::dlclose(library);
+  return library != nullptr;
+}
+
+void expect_load_error(const std::filesystem::path& path, const std::vector<std::string>& parts) {
+  try {
+    Plugin::load(path);
+    ADD_FAILURE() << "loaded " << path;
+  } catch (const PluginLoadError& error) {
+    const std::string sentence = error.what();
+    EXPECT_EQ(sentence.find(path.string()), 0u) << sentence;
+    for (const std::string& part : parts) EXPECT_NE(sentence.find(part), std::string::npos) << part << " in " << sentence;
+  }
+}
+
+TEST(FindPlugin, TakesWhatIsAskedForThenTheEnvironment) {
+  const Environment environment("CAGEWRIGHT_PLUGIN", "/from/environment.so");
+  EXPECT_EQ(find_plugin("asked.so"), "asked.so");
+  EXPECT_EQ(find_plugin({}), "/from/environment.so");
+}
+
+TEST(FindPlugin, LooksBesideTheProgram) {
+  const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cagewright_plugin.so";
+  if (std::filesystem::exists(beside)) {
+    EXPECT_EQ(find_plugin({}), beside);
+    return;
+  }
+  std::filesystem::create_symlink(FAKE_PLUGIN, beside);
+  EXPECT_EQ(find_plugin({}), beside);
+  std::filesystem::remove(beside);
+}
+
+TEST(Plugin, IsUnloadedWithItsLastOwner) {
+  std::shared_ptr<const Plugin> plugin = fake();
+  auto session = std::make_unique<Session>(plugin, SessionListener{});
+  plugin.reset();
+  EXPECT_TRUE(is_loaded());
+  session.reset();
+  EXPECT_FALSE(is_loaded());
+}
+
+TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
+  expect_load_error("missing.so", {"no such plug-in"});
+  expect_load_error("/proc/self/maps", {"cannot be loaded"});
+  expect_load_error("/lib/x86_64-linux-gnu/libm.so.6", {"no plug-in", CGW_ENTRY_POINT});
+  for (const auto& [what, reason] : {std::pair{"null_table", "does not serve ABI 1.0"}, std::pair{"small_table", "bytes"},
+                                     std::pair{"other_major", "has ABI 2.0"}, std::pair{"gaps", "has gaps"}}) {
+    const Environment environment("CAGEWRIGHT_FAKE", what);
+    expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});
+    EXPECT_FALSE(is_loaded()) << what;
+  }
+}
+
+TEST(Plugin, DescribesItsParameters) {
+  const std::vector<Parameter> parameters = fake()->parameters();
+  ASSERT_EQ(parameters.size(), 3u);
+  EXPECT_EQ(parameters[0].id, "orient.lambda");
+  EXPECT_EQ(parameters[0].default_value, 4);
+  EXPECT_EQ(parameters[2].choices, (std::vector<std::string>{"local", "part"}));
+}
+
+TEST(Plugin, ErrorsWithoutASessionCarryTheirSentence) {
+  try {
+    fake()->inspect({});
+    ADD_FAILURE();
+  } catch (const PluginError& error) {
+    EXPECT_EQ(error.status(), CGW_ERROR_MESH_EMPTY);
+    EXPECT_STREQ(error.what(), "the mesh has no triangles");
+  }
+}
+
+TEST(Session, GivesTheCageAndItsFigures) {
+  Session session(fake(), {});
+  session.set_mesh(unit_cube());
+  session.add_slide({"a", Slide::PointNormal{}});
+  session.solve(1);
+  EXPECT_EQ(session.cage().points, unit_cube().points);
+  EXPECT_EQ(session.cage().triangle_count(), 12u);
+  EXPECT_EQ(session.part_count(), 2u);
+  EXPECT_EQ(session.sections().size(), 1u);
+  EXPECT_EQ(session.max_signed_distances(), (std::vector<double>{0.5, 0.25}));
+  EXPECT_EQ(session.summary().volume_ratio, 1.5);
+  ASSERT_EQ(session.slides().size(), 1u);
+  EXPECT_EQ(session.slides()[0].name, "a");
+}
+
+TEST(Session, FiguresThatAnOlderPluginDoesNotKnowAreNotANumber) {
+  const Environment environment("CAGEWRIGHT_FAKE", "short_summary");
+  Session session(fake(), {});
+  EXPECT_EQ(session.summary().max_signed_distance, 0.0005);
+  EXPECT_TRUE(std::isnan(session.summary().volume_ratio));
+  EXPECT_TRUE(std::isnan(session.summary().refine_ms));
+}
+
+TEST(Session, ErrorsCarryStatusSentenceAndBlame) {
+  const Environment environment("CAGEWRIGHT_FAKE", "slides_touch");
+  Session session(fake(), {});
+  session.set_mesh(unit_cube());
+  try {
+    session.solve(0);
+    ADD_FAILURE();
+  } catch (const PluginError& error) {
+    EXPECT_EQ(error.status(), CGW_ERROR_SLIDES_TOUCH);
+    EXPECT_EQ(blame(error.status()), Blame::slides);
+    EXPECT_STREQ(error.what(), "slides \"a\" and \"b\" touch");
+  }
+}
+
+TEST(Session, SaysWhichCallFailedWhereThePluginGivesNoSentence) {
+  const Environment environment("CAGEWRIGHT_FAKE", "internal,no_sentence");
+  Session session(fake(), {});
+  try {
+    session.solve(0);
+    ADD_FAILURE();
+  } catch (const PluginError& error) {
+    EXPECT_STREQ(error.what(), "the plug-in's solve failed (internal)");
+  }
+}
+
+TEST(Session, IsCancelledByTheListener) {
+  const Environment environment("CAGEWRIGHT_FAKE", "wait");
+  int calls = 0;
+  Session session(fake(), {.log = {}, .may_continue = [&calls](double, const std::string&) { return ++calls < 5; }});
+  session.set_mesh(unit_cube());
+  EXPECT_THROW(session.solve(0), Cancelled);
+  EXPECT_EQ(calls, 5);
+}
+
+TEST(Blame, FollowsTheRangesOfTheHeader) {
+  for (const cgw_status status : {CGW_ERROR_MESH_EMPTY, CGW_ERROR_MESH_NOT_ORIENTABLE}) {
+    EXPECT_EQ(blame(status), Blame::model);
+  }
+  for (const cgw_status status : {CGW_ERROR_STROKE_TOO_SHORT, CGW_ERROR_SLIDE_NAME, CGW_ERROR_SLIDES_TOUCH,
+                                  CGW_ERROR_REFINE_DIVERGED}) {
+    EXPECT_EQ(blame(status), Blame::slides);
+  }
+  EXPECT_EQ(blame(CGW_ERROR_UNKNOWN_PARAMETER), Blame::parameter);
+  for (const cgw_status status : {CGW_ERROR_INTERNAL, CGW_ERROR_OUT_OF_MEMORY, CGW_ERROR_STREAM, CGW_ERROR_STATE_MAGIC}) {
+    EXPECT_EQ(blame(status), Blame::program);
+  }
+}
+
+}  // namespace
+}  // namespace cagewright::host

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The program as other programs see it: exit codes, files, one clear line on stderr.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/file/mesh_reader.h"
+#include "host/file/mesh_writer.h"
+#include "host/tests/run_program.h"
+#include "host/tests/sample_meshes.h"
+#include "host/tests/temporary_folder.h"
+
+namespace cagewright::host {
+namespace {
+
+using nlohmann::json;
+using Names = std::set<std::string>;
+
+// A folder with a model and two slides.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest() {
+    TriangleMesh model = unit_cube();
+    for (double& x : model.points) x = 2 * x + 0.1;
+    folder.write("m.off", mesh_bytes(model, "m.off"));
+    folder.write("s.json", R"({"version": 1, "slides": [{"name": "a", "point": [0,0,0], "normal": [0,0,1]},
+                                                        {"name": "b", "center": [0,0,0], "u": [1,0,0], "v": [0,1,0]}]})");
+  }
+
+  std::string at(const std::string& name) const { return (folder / name).string(); }
+
+  // `cage` on the model and the slides with more arguments.
+  ProgramRun cage(std::vector<std::string> arguments, const std::string& fake = "") const {
+    arguments.insert(arguments.begin(), {"cage", at("m.off"), "--slides", at("s.json")});
+    return run_program(arguments, {{"CAGEWRIGHT_FAKE", fake}});
+  }
+
+  // The run failed with this code, said so in one last line that holds all parts, and left no file behind.
+  void expect_failure(const ProgramRun& run, int exit_code, const std::vector<std::string>& parts) const {
+    EXPECT_EQ(run.exit_code, exit_code) << run.errors;
+    EXPECT_EQ(run.output, "");
+    ASSERT_TRUE(run.errors.ends_with('\n')) << run.errors;
+    const std::size_t begin = run.errors.rfind('\n', run.errors.size() - 2) + 1;  // npos + 1 is 0
+    const std::string line = run.errors.substr(begin);
+    EXPECT_EQ(line.find("cagewright: "), 0u) << run.errors;
+    for (const std::string& part : parts) EXPECT_NE(line.find(part), line.npos) << part << "\nis not in: " << line;
+    EXPECT_EQ(folder.names(), (Names{"m.off", "s.json"}));
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(ProgramTest, MakesACageAndAReport) {
+  const ProgramRun run = cage({"-o", at("cage.obj"), "--report", at("r.json"), "--set", "refine.scope=part", "--lambda",
+                               "2.5", "--threads", "1"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_NE(run.output.find("cage: 8 vertices, 12 triangles, genus 0, closed"), std::string::npos) << run.output;
+  EXPECT_EQ(read_mesh(at("cage.obj")).mesh.points[3], 2.1);
+  const json report = json::parse(folder.read("r.json"));
+  EXPECT_EQ(report["model"]["vertices"], 8);
+  EXPECT_EQ(report["slides"][1], json({{"name", "b"}, {"status", "ok"}, {"message", ""}}));
+  EXPECT_EQ(report["parts"], 3);
+  EXPECT_EQ(report["refinement"]["max_signed_distance_over_diagonal"], json({0.25, 0.125, 0.0005}));
+  EXPECT_EQ(report["certificate"]["closed"], true);
+  EXPECT_TRUE(report["certificate"]["encloses"].is_null());
+  EXPECT_TRUE(report["timings_ms"]["meshing"].is_null()) << "the plug-in did not compute it";
+  EXPECT_EQ(report["timings_ms"]["refine"], 4);
+  EXPECT_GT(report["timings_ms"]["total"], 0);
+  EXPECT_GT(report["peak_memory_mb"], 1);
+  EXPECT_EQ(report["options"]["refine.scope"], "part");
+  EXPECT_EQ(report["options"]["orient.lambda"], 2.5);
+  EXPECT_EQ(folder.names(), (Names{"m.off", "s.json", "cage.obj", "r.json"}));
+}
+
+TEST_F(ProgramTest, WritesTheCageInEveryFormat) {
+  for (const std::string name : {"c.obj", "c.off", "c.ply", "c.stl", "c.glb", "C.OBJ"}) {
+    EXPECT_EQ(cage({"-o", at(name)}).exit_code, 0);
+    EXPECT_EQ(read_mesh(at(name)).mesh.triangle_count(), 12u) << name;
+  }
+}
+
+TEST_F(ProgramTest, TellsStagesAndNotesOnStderrUnlessQuiet) {
+  const ProgramRun run = cage({});
+  EXPECT_EQ(run.errors, "cagewright: read\ncagewright: a note of two lines\ncagewright: segment\ncagewright: refine\n"
+                        "cagewright: write\n");
+  EXPECT_EQ(cage({"--quiet"}).errors, "");
+}
+
+TEST_F(ProgramTest, WritesTheFilesButExitsWith1WhereTheCageIsOpen) {
+  const ProgramRun run = cage({"-o", at("cage.obj"), "--report", at("r.json")}, "open_cage");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("NOT closed"), std::string::npos);
+  EXPECT_EQ(read_mesh(at("cage.obj")).mesh.triangle_count(), 11u);
+  EXPECT_EQ(json::parse(folder.read("r.json"))["certificate"]["closed"], false);
+  EXPECT_TRUE(json::parse(folder.read("r.json"))["cage"]["genus"].is_null());
+}
+
+TEST_F(ProgramTest, ExitsWith2ForWrongUsageAndSaysWhat) {
+  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& part) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 2) << run.errors;
+    EXPECT_NE(run.errors.find(part), std::string::npos) << run.errors;
+  };
+  expect({}, "subcommand");
+  expect({"bake"}, "bake");
+  expect({"cage"}, "MODEL");
+  expect({"check", at("m.off")}, "CAGE");
+  expect({"cage", at("m.off"), "--delta", "much"}, "--delta");
+  expect({"cage", at("m.off"), "--set", "refine.scope"}, "ID=VALUE");
+  expect({"cage", at("m.off"), "--threads", "-1"}, "--threads");
+  expect({"cage", at("m.off"), "--colour"}, "--colour");
+  expect({"cage", at("m.off"), "-o", at("cage.fbx")}, "cage.fbx");
+  expect({"cage", at("m.off"), "-o", at("m.off")}, "m.off is named twice");
+  expect({"cage", at("m.off"), "-o", at("a.obj"), "--report", at("./a.obj")}, "a.obj is named twice");
+  expect({"view"}, "not part of this version");
+  expect({"validate", "scene.glb", "--all"}, "not part of this version");
+  EXPECT_EQ(folder.names(), (Names{"m.off", "s.json"}));
+}
+
+TEST_F(ProgramTest, HelpAndVersionGoToStdout) {
+  EXPECT_EQ(run_program({"--version"}).output.find("cagewright "), 0u);
+  for (const auto& arguments : {std::vector<std::string>{"--help"}, {"cage", "--help"}}) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_NE(run.output.find("Usage"), std::string::npos);
+  }
+}
+
+TEST_F(ProgramTest, ExitsWith3AndNamesTheBadInput) {
+  const std::string out = at("cage.obj");
+  expect_failure(run_program({"cage", at("none.off"), "-o", out}), 3, {"none.off", "no such file"});
+  expect_failure(run_program({"cage", at("s.json"), "-o", out}), 3, {"s.json", "\".json\" is unknown"});
+  expect_failure(run_program({"cage", at("m.off"), "--slides", at("no.json"), "-o", out}), 3, {"no.json", "no such file"});
+  expect_failure(run_program({"cage", at("m.off"), "--slides", at("m.off"), "-o", out}), 3, {"m.off, line 1", "not JSON"});
+  expect_failure(cage({"-o", out}, "mesh_open"), 3, {"m.off", "3 open edges", "vertex 7"});
+  expect_failure(cage({"-o", out}, "slides_touch"), 3, {"s.json", "\"a\" and \"b\" touch"});
+  expect_failure(cage({"-o", out, "--set", "refine.magic=1"}), 3, {"refine.magic=1", "no parameter"});
+  expect_failure(cage({"-o", out, "--lambda", "-1"}), 3, {"orient.lambda=-1", "at least 0"});
+  expect_failure(cage({"-o", at("no/cage.obj")}), 3, {"cage.obj", "cannot be written", "no folder"});
+  expect_failure(cage({"-o", out, "--report", at("no/r.json")}), 3, {"r.json", "cannot be written", "no folder"});
+  expect_failure(cage({"-o", out, "--plugin", at("none.so")}), 3, {"none.so", "no such plug-in"});
+  expect_failure(cage({"-o", out, "--plugin", at("m.off")}), 3, {"m.off", "cannot be loaded"});
+}
+
+TEST_F(ProgramTest, NamesTheSlideThatThePluginRefuses) {
+  folder.write("s.json", R"({"version": 1, "slides": [{"name": "wrist", "stroke": [[0,0,0]]}]})");
+  expect_failure(cage({"-o", at("cage.obj")}), 3, {"s.json", "\"wrist\"", "too few points"});
+}
+
+TEST_F(ProgramTest, SaysWithoutADisplayThatThereIsNoPicture) {
+  expect_failure(cage({"-o", at("cage.obj"), "--picture", at("p.png")}), 3, {"DISPLAY"});
+}
+
+TEST_F(ProgramTest, ExitsWith4ForDefectsOfThePlugin) {
+  expect_failure(cage({"-o", at("cage.obj")}, "internal"), 4, {"a defect in stage refine"});
+  expect_failure(cage({"-o", at("cage.obj")}, "out_of_memory"), 4, {"not enough memory"});
+}
+
+TEST_F(ProgramTest, LeavesOldFilesWhereItFails) {
+  folder.write("cage.obj", "old");
+  folder.write("r.json", "old");
+  EXPECT_EQ(cage({"-o", at("cage.obj"), "--report", at("r.json")}, "slides_touch").exit_code, 3);
+  EXPECT_EQ(folder.read("cage.obj") + folder.read("r.json"), "oldold");
+}
+
+TEST_F(ProgramTest, WritesNothingWhereOneOfTheFilesCannotBeWritten) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  EXPECT_EQ(cage({"--report", "/dev/full"}).exit_code, 3);
+  TriangleMesh far = unit_cube();
+  for (double& x : far.points) x *= 1e39;
+  folder.write("m.off", mesh_bytes(far, "m.off"));
+  expect_failure(cage({"-o", at("cage.glb"), "--report", at("r.json")}), 3, {"cage.glb", "vertex", "floats"});
+}
+
+TEST_F(ProgramTest, CageWithoutSlidesIsABoxAndSaysSo) {
+  const ProgramRun run = run_program({"cage", at("m.off")});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.errors.find("no slides are given"), std::string::npos);
+}
+
+TEST_F(ProgramTest, CheckTellsModelAndCageApart) {
+  folder.write("cage.obj", mesh_bytes(unit_cube(), "cage.obj"));
+  const ProgramRun run = run_program({"check", at("m.off"), at("cage.obj"), "--report", at("r.json")});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_NE(run.output.find("volume ratio 0.125"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("the cage is a closed, consistently oriented 2-manifold"), std::string::npos) << run.output;
+  const json report = json::parse(folder.read("r.json"));
+  EXPECT_EQ(report["certificate"]["closed"], true);
+  EXPECT_EQ(report["cage"], json({{"vertices", 8}, {"triangles", 12}, {"genus", 0}}));
+}
+
+TEST_F(ProgramTest, CheckExitsWith1ForACageThatIsOpenOrInconsistent) {
+  TriangleMesh open = unit_cube(), turned = unit_cube();
+  open.triangles.resize(33);
+  std::swap(turned.triangles[0], turned.triangles[1]);
+  folder.write("open.obj", mesh_bytes(open, "a.obj"));
+  folder.write("turned.obj", mesh_bytes(turned, "a.obj"));
+  const ProgramRun first = run_program({"check", at("m.off"), at("open.obj")});
+  EXPECT_EQ(first.exit_code, 1);
+  EXPECT_NE(first.output.find("3 open edges"), std::string::npos) << first.output;
+  EXPECT_NE(first.output.find("volume ratio unknown"), std::string::npos) << first.output;
+  EXPECT_NE(first.output.find("the cage is NOT"), std::string::npos) << first.output;
+  const ProgramRun second = run_program({"check", at("m.off"), at("turned.obj")});
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_NE(second.output.find("3 inconsistently oriented edges"), std::string::npos) << second.output;
+}
+
+TEST_F(ProgramTest, CheckExitsWith3ForBadInput) {
+  expect_failure(run_program({"check", at("m.off"), at("none.obj")}), 3, {"none.obj", "no such file"});
+}
+
+TEST_F(ProgramTest, ParamsListsThePluginsParameters) {
+  const ProgramRun table = run_program({"params"});
+  EXPECT_EQ(table.exit_code, 0);
+  for (const char* part : {"orient.lambda", "0 to inf", "local, part", "Weight of alignment."}) {
+    EXPECT_NE(table.output.find(part), std::string::npos) << table.output;
+  }
+  const json list = json::parse(run_program({"params", "--json"}).output);
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[2]["id"], "refine.scope");
+  EXPECT_EQ(list[2]["default"], "local");
+  EXPECT_EQ(list[2]["choices"], json({"local", "part"}));
+  EXPECT_TRUE(list[0]["maximum"].is_null());
+}
+
+}  // namespace
+}  // namespace cagewright::host

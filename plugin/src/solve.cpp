@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugin/src/solve.h"
+
+#include <algorithm>
+#include <string>
+#include <thread>
+
+#include "plugin/src/abi_struct.h"
+#include "plugin/src/names.h"
+
+namespace cagewright::plugin {
+
+namespace {
+
+cgw_solve_options checked(const cgw_solve_options* given) {
+  const cgw_solve_options defaults = CGW_SOLVE_OPTIONS_INIT;
+  const cgw_solve_options options = given ? read_struct(given, defaults, "cgw_solve_options") : defaults;
+  if (options.last_stage < CGW_STAGE_SEGMENT || options.last_stage > CGW_STAGE_REFINE) {
+    throw AbiError(CGW_ERROR_INVALID_ARGUMENT,
+                   "last_stage is " + std::to_string(options.last_stage) + ", which is none of CGW_STAGE_*");
+  }
+  if (options.editing > 1) {
+    throw AbiError(CGW_ERROR_INVALID_ARGUMENT,
+                   "editing is " + std::to_string(options.editing) + "; it has to be 0 or 1");
+  }
+  return options;
+}
+
+// Tells the host, and remembers that it asked to stop.
+class HostProgress {
+ public:
+  explicit HostProgress(const cgw_host& host) : host_(host) {}
+
+  bool operator()(double fraction, Stage stage) {
+    if (!host_.progress || cancelled_) return !cancelled_;
+    told_ = std::max(told_, std::min(fraction, 1.0));
+    cancelled_ = host_.progress(host_.user, told_, stage_name(static_cast<std::int32_t>(stage))) != 0;
+    return !cancelled_;
+  }
+
+  bool cancelled() const { return cancelled_; }
+
+ private:
+  const cgw_host& host_;
+  double told_ = 0;  // never falls, whatever the stages report
+  bool cancelled_ = false;
+};
+
+PipelineResult run(const cgw_session& session, const PipelineOptions& options) {
+  HostProgress progress(session.host);
+  PipelineResult made = make_cage(model_of(session), session.slides.definitions(), options, std::ref(progress));
+  if (progress.cancelled()) throw Error(ErrorCode::cancelled, "the host cancelled the solve");
+  return made;
+}
+
+}  // namespace
+
+void solve(cgw_session& session, const cgw_solve_options* given) {
+  const cgw_solve_options asked = checked(given);
+  PipelineOptions options = session.parameters.options(asked.editing == 1);
+  options.last_stage = static_cast<Stage>(asked.last_stage);
+  options.refine.threads = asked.threads;
+
+  auto results = std::make_unique<Results>();
+  results->slide_ids = session.slides.ids();
+  results->diagonal = model_of(session).diagonal;
+  results->threads = asked.threads > 0 ? asked.threads : std::max(1u, std::thread::hardware_concurrency());
+  try {
+    results->made = run(session, options);
+  } catch (const Error& error) {
+    const AbiError translated = to_abi_error(error, results->slide_ids);
+    if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);
+    throw translated;
+  }
+  session.slides.settle(results->made.segmentation.ellipses);
+  session.results = std::move(results);
+}
+
+}  // namespace cagewright::plugin

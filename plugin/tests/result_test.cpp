@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "plugin/tests/loaded_plugin.h"
+
+namespace {
+
+using namespace cagewright::plugin::test;
+
+std::vector<std::string>& logged() {
+  static std::vector<std::string> messages;
+  return messages;
+}
+
+cgw_host logging() {
+  logged().clear();
+  cgw_host host = CGW_HOST_INIT;
+  host.log = [](void*, std::int32_t level, const char* message) {
+    logged().push_back(std::to_string(level) + " " + message);
+  };
+  return host;
+}
+
+// Each is refused with that status and a sentence that has `culprit` in it; the model before stays.
+void expect_refused(const Mesh& mesh, cgw_status status, const std::string& culprit) {
+  const Session session(tetrahedron());
+  const cgw_mesh view = mesh.view();
+  EXPECT_EQ(api().set_mesh(session, &view), status) << session.error();
+  EXPECT_NE(session.error().find(culprit), std::string::npos) << session.error();
+  EXPECT_EQ(session.error_info().code, status);
+  cgw_mesh_report report = CGW_MESH_REPORT_INIT;
+  EXPECT_EQ(api().mesh_report(session, &report), CGW_OK);
+  EXPECT_EQ(report.triangles, 4u);
+}
+
+TEST(AbiMesh, ThatIsNoModelIsRefusedAndTheCulpritNamed) {
+  Mesh mesh = tetrahedron();
+  mesh.triangles.clear();
+  expect_refused(mesh, CGW_ERROR_MESH_EMPTY, "triangle");
+  mesh = tetrahedron();
+  mesh.vertices[7] = std::numeric_limits<double>::quiet_NaN();
+  expect_refused(mesh, CGW_ERROR_MESH_NOT_FINITE, "vertex 2");
+  mesh = tetrahedron();
+  mesh.triangles[5] = 4;
+  expect_refused(mesh, CGW_ERROR_MESH_INDEX, "triangle 1 names vertex 4");
+  mesh = capsule();
+  mesh.triangles.resize(mesh.triangles.size() - 3);
+  expect_refused(mesh, CGW_ERROR_MESH_OPEN, "3 open edges");
+  mesh = tetrahedron();  // and a second one on the other side of an edge
+  mesh.vertices.insert(mesh.vertices.end(), {0, -1, 0, 0, 0, -1});
+  mesh.triangles.insert(mesh.triangles.end(), {0, 1, 5, 0, 4, 1, 1, 4, 5, 0, 5, 4});
+  expect_refused(mesh, CGW_ERROR_MESH_NON_MANIFOLD, "1 ");
+  const Mesh projective_plane = {
+      {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3, 3, 1, 2},
+      {0, 1, 4, 0, 1, 5, 0, 2, 3, 0, 2, 5, 0, 3, 4, 1, 2, 3, 1, 2, 4, 1, 3, 5, 2, 4, 5, 3, 4, 5}};
+  expect_refused(projective_plane, CGW_ERROR_MESH_NOT_ORIENTABLE, "orient");
+}
+
+TEST(AbiMesh, IsInspectedWithoutBeingRefused) {
+  Mesh mesh = capsule();
+  mesh.triangles.resize(mesh.triangles.size() - 3);
+  const cgw_mesh view = mesh.view();
+  cgw_mesh_report report = CGW_MESH_REPORT_INIT;
+  ASSERT_EQ(api().inspect_mesh(&view, &report), CGW_OK);
+  EXPECT_EQ(report.closed, 0u);
+  EXPECT_EQ(report.open_edges, 3u);
+  EXPECT_EQ(report.genus, -1);
+  EXPECT_DOUBLE_EQ(report.box_min[0], -1);
+  EXPECT_DOUBLE_EQ(report.box_max[0], 7);
+  const Mesh ring = torus();
+  const cgw_mesh ring_view = ring.view();
+  ASSERT_EQ(api().inspect_mesh(&ring_view, &report), CGW_OK);
+  EXPECT_EQ(report.closed, 1u);
+  EXPECT_EQ(report.genus, 1);
+}
+
+TEST(AbiMesh, ThatHadToBeMendedIsLogged) {
+  const cgw_host host = logging();
+  const Session inside_out(&host, turned_inside_out(capsule()));
+  ASSERT_EQ(logged().size(), 1u);
+  EXPECT_EQ(logged()[0], "2 the model was inside out: 1,920 triangles turned");
+  cgw_mesh_report report = CGW_MESH_REPORT_INIT;
+  ASSERT_EQ(api().mesh_report(inside_out, &report), CGW_OK);
+  EXPECT_EQ(report.inside_out, 1u);
+  EXPECT_EQ(report.turned_triangles, 1920u);
+  EXPECT_LT(report.signed_volume, 0);
+
+  logged().clear();
+  Mesh mesh = tetrahedron();  // a second one that shares a corner, a vertex too many and a triangle without an area
+  mesh.vertices.insert(mesh.vertices.end(), {-1, 0, 0, 0, -1, 0, 0, 0, -1, 9, 9, 9});
+  mesh.triangles.insert(mesh.triangles.end(), {0, 4, 5, 0, 6, 4, 4, 6, 5, 0, 5, 6, 1, 1, 2});
+  const Session bow_tie(&host, mesh);
+  const auto has = [](const char* text) {
+    for (const std::string& message : logged()) {
+      if (message.find(text) != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(has("1 vertex joins several fans")) << testing::PrintToString(logged());
+  EXPECT_TRUE(has("1 triangle names a position twice"));
+  EXPECT_TRUE(has("1 vertex is used by no triangle"));
+
+  logged().clear();
+  const Session sound(&host, capsule());
+  EXPECT_TRUE(logged().empty()) << testing::PrintToString(logged());
+}
+
+TEST(AbiMesh, StaysAwayWhereTheHostsLogThrows) {
+  cgw_host host = CGW_HOST_INIT;
+  host.log = [](void*, std::int32_t, const char*) { throw 1; };
+  const Session session(&host);
+  const Mesh mesh = turned_inside_out(capsule());
+  const cgw_mesh view = mesh.view();
+  EXPECT_EQ(api().set_mesh(session, &view), CGW_ERROR_INTERNAL);
+  cgw_mesh_report report = CGW_MESH_REPORT_INIT;
+  EXPECT_EQ(api().mesh_report(session, &report), CGW_ERROR_NOT_READY);
+}
+
+TEST(AbiResults, AreNotReadyBeforeASolveAndGoWithTheModel) {
+  const auto expect_none = [](const Session& s) {
+    cgw_parts parts = CGW_PARTS_INIT;
+    cgw_section section = CGW_SECTION_INIT;
+    cgw_loop loop = CGW_LOOP_INIT;
+    cgw_cage cage = CGW_CAGE_INIT;
+    cgw_iteration iteration = CGW_ITERATION_INIT;
+    cgw_summary summary = CGW_SUMMARY_INIT;
+    EXPECT_EQ(api().get_parts(s, &parts), CGW_ERROR_NOT_READY);
+    EXPECT_EQ(api().get_section(s, 0, &section), CGW_ERROR_NOT_READY);
+    EXPECT_EQ(api().get_loop(s, 0, &loop), CGW_ERROR_NOT_READY);
+    EXPECT_EQ(api().get_iteration(s, 0, &iteration), CGW_ERROR_NOT_READY);
+    EXPECT_EQ(api().get_summary(s, &summary), CGW_ERROR_NOT_READY);
+    EXPECT_EQ(api().get_cage(s, &cage), CGW_ERROR_NOT_READY);
+    EXPECT_NE(s.error().find("cage"), std::string::npos) << s.error();
+    EXPECT_EQ(api().section_count(s), 0u);
+    EXPECT_EQ(api().iteration_count(s), 0u);
+  };
+  const Session session(capsule());
+  expect_none(session);
+  const SolvedCapsule solved;
+  const Mesh other = torus();
+  const cgw_mesh view = other.view();
+  ASSERT_EQ(api().set_mesh(solved.session, &view), CGW_OK);
+  expect_none(solved.session);
+}
+
+TEST(AbiResults, PartsCoverTheCutModel) {
+  const SolvedCapsule solved;
+  cgw_parts parts = CGW_PARTS_INIT;
+  ASSERT_EQ(api().get_parts(solved.session, &parts), CGW_OK);
+  ASSERT_EQ(parts.part_count, 4u);
+  std::vector<std::int32_t> triangle_part(parts.triangle_count, -1);
+  std::vector<std::uint32_t> section_count(parts.part_count), triangles(3 * parts.triangle_count);
+  parts.triangles = triangles.data();
+  parts.triangle_part = triangle_part.data();
+  parts.triangle_capacity = parts.triangle_count;
+  parts.section_count = section_count.data();
+  parts.part_capacity = parts.part_count;
+  ASSERT_EQ(api().get_parts(solved.session, &parts), CGW_OK);
+  EXPECT_EQ(std::set<std::int32_t>(triangle_part.begin(), triangle_part.end()), (std::set<std::int32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(std::multiset<std::uint32_t>(section_count.begin(), section_count.end()),
+            (std::multiset<std::uint32_t>{1, 1, 2, 2}));
+  for (const std::uint32_t vertex : triangles) ASSERT_LT(vertex, parts.vertex_count);
+}
+
+TEST(AbiResults, SectionsAreRectanglesOfTheCage) {
+  const SolvedCapsule solved;
+  const Cage cage = cage_of(solved.session);
+  ASSERT_EQ(api().section_count(solved.session), 3u);
+  const std::uint64_t ids[] = {solved.left, solved.middle, solved.right};
+  for (std::uint64_t k = 0; k < 3; ++k) {
+    cgw_section section = CGW_SECTION_INIT;
+    ASSERT_EQ(api().get_section(solved.session, k, &section), CGW_OK);
+    EXPECT_EQ(section.slide, ids[k]);
+    EXPECT_NE(section.part_ahead, section.part_behind);
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(section.corners[3 * i + c], cage.vertices[3 * static_cast<std::size_t>(section.cage_vertex[i]) + c]);
+      }
+    }
+    EXPECT_NEAR(section.p[0] * section.q[0] + section.p[1] * section.q[1] + section.p[2] * section.q[2], 0, 1e-9);
+  }
+}
+
+TEST(AbiResults, LoopsLieInTheirSlidesPlane) {
+  const SolvedCapsule solved;
+  cgw_loop loop = CGW_LOOP_INIT;
+  ASSERT_EQ(api().get_loop(solved.session, 1, &loop), CGW_OK);
+  std::vector<double> points(3 * loop.point_count);
+  loop.points = points.data();
+  loop.point_capacity = loop.point_count;
+  ASSERT_EQ(api().get_loop(solved.session, 1, &loop), CGW_OK);
+  ASSERT_GE(loop.point_count, 24u);
+  for (std::size_t k = 0; k < points.size(); k += 3) {
+    EXPECT_NEAR(points[k], 3.02, 1e-9);
+    EXPECT_NEAR(std::hypot(points[k + 1], points[k + 2]), 1, 0.02);
+  }
+}
+
+TEST(AbiResults, KeepTheSlidesOfTheirSolve) {
+  const SolvedCapsule solved;
+  ASSERT_EQ(api().slide_remove(solved.session, solved.left), CGW_OK);
+  EXPECT_EQ(api().section_count(solved.session), 3u);
+  cgw_section section = CGW_SECTION_INIT;
+  ASSERT_EQ(api().get_section(solved.session, 0, &section), CGW_OK);
+  EXPECT_EQ(section.slide, solved.left);
+}
+
+TEST(AbiResults, BeforeTheirStageAreNotMadeUp) {
+  const Session session(capsule());
+  add(session, plane("a", 3.01));
+  cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
+  options.last_stage = CGW_STAGE_SEGMENT;
+  ASSERT_EQ(api().solve(session, &options), CGW_OK);
+  cgw_section section = CGW_SECTION_INIT;
+  ASSERT_EQ(api().get_section(session, 0, &section), CGW_OK);
+  EXPECT_NE(section.part_ahead, section.part_behind);
+  EXPECT_EQ(section.cage_vertex[0], -1);
+  cgw_summary summary = CGW_SUMMARY_INIT;
+  ASSERT_EQ(api().get_summary(session, &summary), CGW_OK);
+  EXPECT_TRUE(std::isnan(summary.volume_ratio));
+  EXPECT_TRUE(std::isnan(summary.max_signed_distance));
+  EXPECT_TRUE(std::isnan(summary.orient_ms));
+  EXPECT_FALSE(std::isnan(summary.segment_ms));
+  EXPECT_EQ(summary.cage_genus, -1);
+}
+
+TEST(AbiResults, WriteNoArrayWhereOneIsTooSmallButSetTheCounts) {
+  const SolvedCapsule solved;
+  std::vector<double> vertices(60, -7);
+  std::vector<std::uint32_t> triangles(3, 7);
+  cgw_cage cage = CGW_CAGE_INIT;
+  cage.vertices = vertices.data();
+  cage.vertex_capacity = 20;
+  cage.triangles = triangles.data();
+  cage.triangle_capacity = 1;
+  EXPECT_EQ(api().get_cage(solved.session, &cage), CGW_ERROR_BUFFER_TOO_SMALL);
+  EXPECT_NE(solved.session.error().find("triangles has room for 1 rows"), std::string::npos) << solved.session.error();
+  EXPECT_EQ(cage.vertex_count, 20u);
+  EXPECT_EQ(cage.triangle_count, 36u);
+  EXPECT_EQ(vertices, std::vector<double>(60, -7));
+  EXPECT_EQ(triangles, std::vector<std::uint32_t>(3, 7));
+}
+
+TEST(AbiResults, IterationsFollowEachOther) {
+  const SolvedCapsule solved;
+  const Session& s = solved.session;
+  ASSERT_EQ(api().set_parameter(s, "refine.delta", 0.02), CGW_OK);
+  ASSERT_EQ(api().solve(s, nullptr), CGW_OK);
+  const std::uint64_t count = api().iteration_count(s);
+  ASSERT_GT(count, 1u);
+  std::vector<double> before(60), after(60), previous;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    cgw_iteration iteration = CGW_ITERATION_INIT;
+    iteration.vertices_before = before.data();
+    iteration.vertices_after = after.data();
+    iteration.vertex_capacity = 20;
+    ASSERT_EQ(api().get_iteration(s, k, &iteration), CGW_OK) << s.error();
+    EXPECT_EQ(iteration.triangle_count, 36u);
+    if (k > 0) {
+      EXPECT_EQ(before, previous);
+    }
+    previous = after;
+  }
+  EXPECT_EQ(previous, cage_of(s).vertices);
+  cgw_iteration past = CGW_ITERATION_INIT;
+  EXPECT_EQ(api().get_iteration(s, count, &past), CGW_ERROR_INVALID_ARGUMENT);
+}
+
+}  // namespace
