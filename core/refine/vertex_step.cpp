@@ -13,14 +13,16 @@ struct Quadratic {
   Vector3 b = Vector3::Zero();
 };
 
-Vector3 free_step(const Quadratic& q, double mu) { return (q.a + mu * Eigen::Matrix3d::Identity()).ldlt().solve(q.b); }
+// Columns: the directions in which a vertex may move.
+using Directions = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 
-Vector3 step_in_plane(const Quadratic& q, double mu, const Vector3& normal) {
-  Eigen::Matrix<double, 3, 2> basis;
-  basis.col(0) = normal.unitOrthogonal();
-  basis.col(1) = normal.cross(basis.col(0));
-  const Eigen::Matrix2d a = basis.transpose() * q.a * basis + mu * Eigen::Matrix2d::Identity();
-  return basis * a.ldlt().solve(basis.transpose() * q.b);
+Directions free_directions(const Vector3& plane_normal) {
+  if (plane_normal.isZero()) return Eigen::Matrix3d::Identity();
+  Directions directions(3, 2);
+  directions.col(0) = plane_normal.unitOrthogonal();
+  directions.col(1) = plane_normal.cross(directions.col(0));
+  return directions;
 }
 
 }  // namespace
@@ -45,13 +47,14 @@ void step_vertices(const Triangles& triangles, const std::vector<double>& factor
   record.damping.assign(quadratics.size(), 0);
   for (std::size_t j = 0; j < quadratics.size(); ++j) {
     const Quadratic& q = quadratics[j];
-    const double mu = damping[j] * q.a.trace();
+    const auto row = static_cast<Eigen::Index>(j);
+    const Directions directions = free_directions(record.plane_normal.row(row));
+    SmallMatrix a = directions.transpose() * q.a * directions;
+    const double mu = damping[j] * a.trace();
     record.damping[j] = mu;
     if (!(mu > 0)) continue;  // a vertex of no triangle with an area stays
-    const auto row = static_cast<Eigen::Index>(j);
-    const Vector3 normal = record.plane_normal.row(row);
-    const Vector3 step = normal.isZero() ? free_step(q, mu) : step_in_plane(q, mu, normal);
-    record.after.row(row) += step.transpose();
+    a.diagonal().array() += mu;
+    record.after.row(row) += (directions * a.ldlt().solve(directions.transpose() * q.b)).transpose();
   }
 }
 
