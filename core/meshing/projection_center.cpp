@@ -91,6 +91,20 @@ Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Ei
   return point;
 }
 
+// Climbs from points in front of each bound, for parts where the climb from the mean ended at `otherwise`, a summit from
+// which it does not see them all.
+Vector3 climb_from_bounds(const Visibility& visibility, const Bounds& bounds, double reach,
+                          const Eigen::Matrix3d& frame, const Vector3& otherwise) {
+  Vector3 best = otherwise;
+  for (const double depth : {0.1, 0.3, 0.6, 1.0})
+    for (const Bound& bound : bounds.list) {
+      const Vector3 start = (bound.corners[0] + bound.corners[2]) / 2 - depth * reach * bound.outward;
+      const Vector3 summit = climb(visibility, start, reach / 2, frame);
+      if (visibility(summit) > visibility(best)) best = summit;
+    }
+  return best;
+}
+
 // A smooth stand-in for the least of what matters, without the angles between bounds: -log(sum exp(-b v_i)) / b. Its
 // maximum is one point that moves with the model; that of the least itself is found only up to where a search stops.
 class SmoothVisibility {
@@ -195,7 +209,8 @@ Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vec
   double reach = 0;
   for (const Bound& bound : bounds.list)
     for (const Vector3& corner : bound.corners) reach = std::max(reach, (corner - bounds.mean()).norm());
-  const Vector3 center = climb(visible, bounds.mean(), reach / 2, frame);
+  Vector3 center = climb(visible, bounds.mean(), reach / 2, frame);
+  if (visible(center) <= 0) center = climb_from_bounds(visible, bounds, reach, frame, center);
   if (visible(center) > 0) {
     const Vector3 polished = polish(SmoothVisibility(bounds, visible.hull(), reach), center, reach);
     return visible(polished) > 0 ? polished : center;

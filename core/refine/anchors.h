@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/refine/cones.h"
 #include "core/refine/refine.h"
 
 namespace cagewright {
@@ -15,8 +16,7 @@ bool still_moves(double signed_distance, double delta, double tolerance);
 class AnchorFinder {
  public:
   // What is passed in must outlive the finder.
-  AnchorFinder(const Segmentation& segmentation, const std::vector<SectionFrame>& sections, const Cage& topology,
-               const RefineOptions& options, double diagonal);
+  AnchorFinder(const Segmentation& segmentation, const Cage& topology, const RefineOptions& options, double diagonal);
 
   // Fills normals, anchors, signed_distance, outermost and max_signed_distance of `record` for a cage at `points`
   // (n x 3, as Cage::points). The same bits for any number of threads. O(model vertices) when little moved since the
@@ -24,11 +24,6 @@ class AnchorFinder {
   void find(const Points& points, RefineRecord& record);
 
  private:
-  struct Part {
-    std::size_t index;
-    std::vector<int> triangles;     // rows of the cage's triangles
-    std::vector<int> seen_through;  // of each of the part's vertices: index into `triangles`, or `inside`
-  };
   struct Block {  // a run of one part's vertices: the unit of parallel work
     std::size_t part, begin, end;
   };
@@ -36,19 +31,18 @@ class AnchorFinder {
     double distance;
     long vertex;
   };
-  class Cones;
 
-  void search_local(const Points& points, const Block& block, std::vector<Farthest>& best);
-  void search_part(const Points& points, const Block& block, std::vector<Farthest>& best) const;
-  void set_normals(const Points& points, RefineRecord& record) const;
-  double distance(long vertex, int triangle) const;
+  void search_local(const Cones& cones, const Block& block, std::vector<Farthest>& best);
+  void search_part(const Block& block, std::vector<Farthest>& best) const;
+  void set_planes(const Points& points);
+  void offer(long vertex, int triangle, std::vector<Farthest>& best) const;
 
   const Segmentation& segmentation_;
-  const std::vector<SectionFrame>& sections_;
   const Cage& topology_;
   const RefineOptions& options_;
   double delta_, on_plane_;  // model units
-  std::vector<Part> parts_;
+  std::vector<std::vector<int>> part_triangles_;
+  std::vector<std::vector<int>> seen_through_;  // by part, of each of its vertices: cage triangle or Cones::inside
   std::vector<Block> blocks_;
   Points normals_, barycenters_;  // of the cage's triangles at the current call
 };

@@ -57,8 +57,21 @@ std::vector<double> push_factors(const RefineRecord& record, double delta, doubl
   return factors;
 }
 
-bool meets_equation_9(double max_signed_distance, double delta, double diagonal) {
-  return std::abs(-max_signed_distance - delta) <= tolerance::convergence * diagonal;
+// A size that turns with the model, as the diagonal of an axis-aligned box does not: from the vertex farthest from the
+// mean to the vertex farthest from that one. At most the diagonal.
+double extent_of(const Points& points) {
+  const auto farthest = [&](const Vector3& from) -> Vector3 {
+    Eigen::Index row = 0;
+    (points.rowwise() - from.transpose()).rowwise().squaredNorm().maxCoeff(&row);
+    return points.row(row);
+  };
+  const Vector3 one = farthest(points.colwise().mean());
+  return (farthest(one) - one).norm();
+}
+
+// (9), with the extent for D_BB, which is stricter: so the number of steps does not change when the model is turned.
+bool meets_equation_9(double max_signed_distance, double delta, double extent) {
+  return std::abs(-max_signed_distance - delta) <= tolerance::convergence * extent;
 }
 
 }  // namespace
@@ -67,8 +80,9 @@ Refinement refine(const Segmentation& segmentation, const std::vector<SectionFra
                   double diagonal, const std::vector<std::string>& names, const RefineOptions& options,
                   const Progress& progress) {
   const double delta = options.delta * diagonal;
+  const double extent = extent_of(segmentation.cut.points);
   Refinement result{cage, {}, 0, false};
-  AnchorFinder anchors(segmentation, sections, cage, options, diagonal);
+  AnchorFinder anchors(segmentation, cage, options, diagonal);
   const Points normals = plane_normals(cage, sections, options.in_plane);
   const Vector3 margin = Vector3::Constant(tolerance::diverged * diagonal);
   const Eigen::AlignedBox3d allowed(segmentation.cut.points.colwise().minCoeff().transpose() - margin,
@@ -81,10 +95,10 @@ Refinement refine(const Segmentation& segmentation, const std::vector<SectionFra
     record.plane_normal = normals;
     anchors.find(result.cage.points, record);
     result.max_signed_distance = record.max_signed_distance;
-    result.converged = meets_equation_9(record.max_signed_distance, delta, diagonal);
+    result.converged = meets_equation_9(record.max_signed_distance, delta, extent);
     if (result.converged || k >= options.iterations) return result;
     trusted_step(cage, push_factors(record, delta, diagonal, options.push), options.damping,
-                 tolerance::smallest_anchor_distance * diagonal, record);
+                 tolerance::smallest_anchor_distance * extent, record);
     check_bounded(segmentation, cage, names, record, allowed);
     result.cage.points = record.after;
     result.records.push_back(std::move(record));

@@ -149,6 +149,20 @@ TEST(PrepareModel, TurnsAComponentBeyondASlantedFace) {
   EXPECT_EQ(prepare_model(meshes::together(slanted, ball)).report.turned_triangles, triangles_of(ball));
 }
 
+TEST(PrepareModel, TurnsAComponentExactlyBelowAnEdge) {
+  // A sliver in the hole of an upright ring, its extreme vertices below a diagonal of the ring's top or of its ceiling.
+  IndexedMesh ring = meshes::perforated_plate(1);
+  const Points before = ring.points;
+  ring.points << before.col(1), before.col(2), before.col(0);
+  for (const bool rising : {true, false}) {
+    IndexedMesh sliver = meshes::tetrahedron();
+    sliver.points << 1.25, 0.25, 1.25, 1.75, 0.75, 1.25, 1.5, 0.5, 1.75, 1.625, 0.5, 1.5;
+    if (!rising) sliver.points.col(1) = 1 - sliver.points.col(1).array();
+    if (inspect(sliver).signed_volume > 0) sliver = meshes::inside_out(sliver);
+    EXPECT_EQ(prepare_model(meshes::together(ring, sliver)).report.turned_triangles, 4u) << rising;
+  }
+}
+
 TEST(PrepareModel, KeepsACavityWhoseFirstTriangleIsTurned) {
   IndexedMesh mesh = meshes::hollow_sphere(2);
   const Eigen::Index first_of_cavity = mesh.triangles.rows() / 2;

@@ -56,7 +56,7 @@ void expect_walls_round_their_centers(const PipelineResult& result) {
     const Vector3 center = cage.part_center[static_cast<std::size_t>(part)];
     EXPECT_GT((at(1) - at(0)).cross(at(2) - at(0)).dot(at(0) - center), 0) << "triangle " << t;
     for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(cage.triangles(t, i), cage.triangles(t, (i + 1) % 3));
+      const auto [a, b] = std::minmax({cage.triangles(t, i), cage.triangles(t, (i + 1) % 3)});
       edge_of_part.insert({part, a, b});
     }
   }
@@ -64,7 +64,7 @@ void expect_walls_round_their_centers(const PipelineResult& result) {
     for (const int part : result.segmentation.slide_parts[k])
       for (int i = 0; i < 4; ++i) {
         const int first = 4 * static_cast<int>(k);
-        const auto [a, b] = std::minmax(first + i, first + (i + 1) % 4);
+        const auto [a, b] = std::minmax({first + i, first + (i + 1) % 4});
         EXPECT_TRUE(edge_of_part.count({part, a, b})) << "slide " << k << " edge " << i << " of part " << part;
       }
 }
