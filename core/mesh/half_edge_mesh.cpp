@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The structure is filled in directly: OpenMesh's add_face searches round vertices, reports what it refuses on stderr,
-// and takes four times as long.
+// The structure is filled in directly: the edges are known from the checks, and OpenMesh's add_face tells only stderr
+// what it refuses.
 // g++ 12 takes the storage of a fresh Eigen vector for uninitialised input where OpenMesh appends one.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_share = 0.5;  // of the sine under which the centre sees a triangle, kept by one step
 constexpr double raise = 10;
-constexpr int attempts = 12;  // damping up to 1e12 times: the vertex stays
+constexpr int attempts = 100;  // objections wander from triangle to triangle before all are met
 
 // How far the centre lies behind the triangle's plane, over the distance to its farthest corner: the sine of the angle
 // under which that corner's ray meets the plane.

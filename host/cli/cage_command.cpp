@@ -48,7 +48,8 @@ void check_outputs(const CageCommand& command) {
   for (const OptionalPath* output : {&command.out, &command.report, &command.picture}) {
     if (!*output) continue;
     for (const std::filesystem::path& other : taken) {
-      if (same_file(**output, other)) throw UsageError((*output)->string() + " is named twice; it would be overwritten");
+      if (same_file(**output, other))
+        throw UsageError((*output)->string() + " is named twice; it would be overwritten");
     }
     taken.push_back(**output);
     require_writable(**output);
@@ -186,7 +187,7 @@ class CageRun {
     if (report.cage.genus) std::cout << ", genus " << *report.cage.genus;
     std::cout << (*report.certificate.closed ? ", closed\n" : ", NOT closed\n");
     if (report.tightness.volume_ratio) {
-      std::cout << "volume ratio: " << number_text(*report.tightness.volume_ratio) << "\n";
+      std::cout << "volume ratio: " << figure_text(*report.tightness.volume_ratio) << "\n";
     }
     std::cout << "refinement: " << (*report.refinement.converged ? "converged" : "not converged") << " after "
               << counted(*report.refinement.iterations, "iteration") << "\n";

@@ -95,7 +95,7 @@ int run_check(const CheckCommand& command) {
   print_mesh("model", command.model, model);
   print_mesh("cage", command.cage, cage);
   const std::optional<double> ratio = report.tightness.volume_ratio;
-  std::cout << "volume ratio " << (ratio ? number_text(*ratio) : "unknown") << "\n"
+  std::cout << "volume ratio " << (ratio ? figure_text(*ratio) : "unknown") << "\n"
             << "the cage is " << (is_good ? "" : "NOT ") << "a closed, consistently oriented 2-manifold\n";
   return is_good ? exit_done : exit_not_certified;
 }

@@ -24,6 +24,10 @@ class CommandLine {
   }
 
   Command parse(int argc, const char* const* argv) {
+    if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
+      std::cerr << "cagewright: there is no command \"" << argv[1] << "\", only cage, check and params; see --help\n";
+      return Ended{exit_usage};
+    }
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -38,13 +42,19 @@ class CommandLine {
   }
 
  private:
+  bool is_command(const std::string& name) const {
+    const auto has_name = [&name](const CLI::App* command) { return command->get_name() == name; };
+    return !app_.get_subcommands(has_name).empty();
+  }
+
   void add_cage() {
     cage_app_ = app_.add_subcommand("cage", "Make a cage of a model");
     cage_app_->add_option("MODEL", cage_.model, "Closed mesh: .glb .gltf .obj .off .ply .stl")->required();
     cage_app_->add_option("--slides", cage_.slides, "The cut slides, JSON; without any, the cage is a box");
     cage_app_->add_option("-o,--out", cage_.out, "The cage: .obj .off .ply .stl .glb");
     const CLI::Validator number = CLI::Number;
-    cage_app_->add_option("--delta", delta_, "Short for --set refine.delta=D, a fraction of the diagonal")->check(number);
+    cage_app_->add_option("--delta", delta_, "Short for --set refine.delta=D, a fraction of the diagonal")
+        ->check(number);
     cage_app_->add_option("--lambda", lambda_, "Short for --set orient.lambda=L")->check(number);
     cage_app_->add_option("--iterations", iterations_, "Short for --set refine.iterations=N")->check(number);
     cage_app_->add_option("--set", set_, "Set a parameter; \"cagewright params\" lists them")
@@ -55,7 +65,8 @@ class CommandLine {
         });
     cage_app_->add_option("--report", cage_.report, "Figures of the run, JSON");
     cage_app_->add_option("--picture", cage_.picture, "Model, slides and cage, PNG; needs a display");
-    cage_app_->add_option("--threads", cage_.threads, "0 (default): as many as the machine has")->check(CLI::Range(0, 4096));
+    cage_app_->add_option("--threads", cage_.threads, "0 (default): as many as the machine has")
+        ->check(CLI::Range(0, 4096));
     cage_app_->add_flag("--quiet", cage_.quiet, "No progress and no notes on stderr, only errors");
     add_plugin(*cage_app_, cage_.plugin);
   }
@@ -76,7 +87,8 @@ class CommandLine {
   }
 
   static void add_plugin(CLI::App& app, OptionalPath& plugin) {
-    app.add_option("--plugin", plugin, "The plug-in; otherwise $CAGEWRIGHT_PLUGIN, or the one installed with this program");
+    app.add_option("--plugin", plugin,
+                   "The plug-in; otherwise $CAGEWRIGHT_PLUGIN, or the one installed with this program");
   }
 
   CageCommand cage() {

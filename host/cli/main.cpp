@@ -32,9 +32,7 @@ int say(int exit_code, const std::string& sentence) {
   return exit_code;
 }
 
-int exit_code_of(PictureFault fault) {
-  return fault == PictureFault::no_display ? exit_bad_input : exit_internal;
-}
+int exit_code_of(PictureFault fault) { return fault == PictureFault::no_display ? exit_bad_input : exit_internal; }
 
 }  // namespace
 

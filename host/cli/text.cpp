@@ -14,6 +14,13 @@ std::string one_line(std::string text) {
   return text;
 }
 
+std::string figure_text(double figure) {
+  std::array<char, 32> digits{};
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), figure, std::chars_format::general, 6);
+  return {digits.data(), end};
+}
+
 std::string number_text(double number) {
   std::array<char, 32> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);

@@ -8,7 +8,10 @@ namespace {
 
 std::string sentence(const std::filesystem::path& path, const FilePlace& place, const std::string& reason) {
   std::string where = path.string();
-  if (const auto* line = std::get_if<Line>(&place)) where += ", line " + std::to_string(line->number);
+  if (const auto* line = std::get_if<Line>(&place)) {
+    where += ", line " + std::to_string(line->number);
+    if (line->column > 0) where += ", column " + std::to_string(line->column);
+  }
   if (const auto* byte = std::get_if<Byte>(&place)) where += ", byte " + std::to_string(byte->offset);
   return where + ": " + reason;
 }

@@ -13,13 +13,15 @@ namespace cagewright::host {
 
 struct Line {
   std::size_t number = 0;  // from 1
+  std::size_t column = 0;  // from 1, in bytes; 0: not known
 };
 struct Byte {
   std::size_t offset = 0;  // from 0
 };
 using FilePlace = std::variant<std::monostate, Line, Byte>;
 
-// The one error of host/file. what() is one line: "PATH, line 7: REASON", "PATH, byte 84: REASON" or "PATH: REASON".
+// The one error of host/file. what() is one line: "PATH: REASON", with a place "PATH, line 7: REASON", "PATH, line 7,
+// column 3: REASON" or "PATH, byte 84: REASON".
 class FileError : public std::runtime_error {
  public:
   FileError(std::filesystem::path path, FilePlace place, const std::string& reason);

@@ -38,7 +38,8 @@ Positions float_positions(const TriangleMesh& mesh, const std::filesystem::path&
   result.most.fill(-std::numeric_limits<float>::infinity());
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     if (std::abs(mesh.points[i]) > double{std::numeric_limits<float>::max()}) {
-      throw FileError(path, {}, "cannot be written: vertex " + std::to_string(i / 3) + " is too far out for glTF's floats");
+      throw FileError(path, {},
+                      "cannot be written: vertex " + std::to_string(i / 3) + " is too far out for glTF's floats");
     }
     const auto x = static_cast<float>(mesh.points[i]);
     append_little_endian(result.bytes, x);
@@ -95,8 +96,8 @@ std::string glb_bytes(const TriangleMesh& mesh, const std::string& name, const s
   if (mesh.triangles.empty()) throw FileError(path, {}, "cannot be written: the mesh has no triangles");
   const Positions positions = float_positions(mesh, path);
   const std::string indices = index_bytes(mesh);
-  std::string json = document(mesh, name, positions, indices.size())
-                         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string json =
+      document(mesh, name, positions, indices.size()).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string binary = positions.bytes + indices;
   pad(json, ' ');
   pad(binary, '\0');

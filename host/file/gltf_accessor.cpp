@@ -165,7 +165,8 @@ std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int access
   const AccessorReader reader(model, accessor);
   const int type = reader.accessor().componentType;
   const bool is_unsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+                           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   if (reader.accessor().type != TINYGLTF_TYPE_SCALAR || !is_unsigned || reader.accessor().normalized) {
     reader.fail("holds indices, but is not a SCALAR of unsigned integers");
   }

@@ -55,8 +55,9 @@ void check_binary_length(const std::filesystem::path& path, std::string_view byt
   refuse_version(path, std::to_string(load<std::uint32_t>(bytes.data() + 4, std::endian::little)) + ".0");
   const std::uint32_t length = load<std::uint32_t>(bytes.data() + 8, std::endian::little);
   if (length <= bytes.size()) return;
-  throw FileError(path, Byte{8}, "is cut short: its header promises " + std::to_string(length) + " bytes, but it has " +
-                                     std::to_string(bytes.size()));
+  throw FileError(path, Byte{8},
+                  "is cut short: its header promises " + std::to_string(length) + " bytes, but it has " +
+                      std::to_string(bytes.size()));
 }
 
 // tinygltf's messages are one or more lines; the first says it.
@@ -100,10 +101,12 @@ bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, in
 void refuse_compression(const std::filesystem::path& path, const tinygltf::Model& model) {
   for (const std::string& extension : model.extensionsRequired) {
     if (extension == "KHR_draco_mesh_compression") {
-      throw FileError(path, {}, "its meshes are compressed with Draco, which cannot be read; export it without compression");
+      throw FileError(path, {},
+                      "its meshes are compressed with Draco, which cannot be read; export it without compression");
     }
     if (extension == "EXT_meshopt_compression") {
-      throw FileError(path, {}, "its meshes are compressed with meshopt, which cannot be read; export it without compression");
+      throw FileError(path, {},
+                      "its meshes are compressed with meshopt, which cannot be read; export it without compression");
     }
   }
 }
@@ -125,9 +128,10 @@ void load_gltf(const std::filesystem::path& path, std::string_view bytes, tinygl
   std::string error, warning;
   bool is_good = false;
   try {
-    is_good = is_binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                                      reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                        : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
+    is_good = is_binary
+                  ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
+                  : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
   } catch (const std::exception& failure) {  // tinygltf indexes some empty arrays with at()
     error += failure.what();
   }

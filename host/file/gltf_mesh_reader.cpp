@@ -129,7 +129,8 @@ class GltfMeshReader {
       bool is_good = values.size() == size;
       for (const double value : values) is_good = is_good && std::isfinite(value);
       if (!is_good) {
-        fail("node " + std::to_string(index) + ": its " + name + " should be " + std::to_string(size) + " finite numbers");
+        fail("node " + std::to_string(index) + ": its " + name + " should be " + std::to_string(size) +
+             " finite numbers");
       }
       return true;
     };
@@ -219,7 +220,8 @@ class GltfMeshReader {
       }
     }
     mesh.points.insert(mesh.points.end(), positions.begin(), positions.end());
-    if (mesh.vertex_count() > std::numeric_limits<std::uint32_t>::max()) throw std::runtime_error("has too many vertices");
+    if (mesh.vertex_count() > std::numeric_limits<std::uint32_t>::max())
+      throw std::runtime_error("has too many vertices");
   }
 
   void append(TriangleMesh& part, const Eigen::Affine3d& to_scene) {

@@ -39,9 +39,10 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   const Reader read = reader_for(path);
   if (read == nullptr) {
     const std::string ending = lower_ending(path);
-    throw FileError(path, {},
-                    (ending.empty() ? std::string("it has no ending") : "the ending " + in_quotes(ending) + " is unknown") +
-                        "; a mesh file ends in .obj, .off, .ply, .stl, .glb or .gltf");
+    throw FileError(
+        path, {},
+        (ending.empty() ? std::string("it has no ending") : "the ending " + in_quotes(ending) + " is unknown") +
+            "; a mesh file ends in .obj, .off, .ply, .stl, .glb or .gltf");
   }
   const std::string bytes = read_bytes(path);
   if (bytes.empty()) throw FileError(path, {}, "is not a mesh: the file is empty");

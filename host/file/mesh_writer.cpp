@@ -49,7 +49,8 @@ std::string obj_text(const TriangleMesh& mesh) {
 }
 
 std::string off_text(const TriangleMesh& mesh) {
-  std::string text = "OFF\n" + std::to_string(mesh.vertex_count()) + " " + std::to_string(mesh.triangle_count()) + " 0\n";
+  std::string text =
+      "OFF\n" + std::to_string(mesh.vertex_count()) + " " + std::to_string(mesh.triangle_count()) + " 0\n";
   append_points(text, "", mesh);
   append_triangles(text, "3 ", 0, mesh);
   return text;

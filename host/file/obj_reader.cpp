@@ -16,10 +16,10 @@ namespace {
 
 // Statements of the OBJ specification that say nothing about polygons, and the vendors' ones that are in wide use.
 constexpr std::array<std::string_view, 37> skipped_statements = {
-    "bevel",  "bmat",   "c_interp", "call",  "con",    "cstype", "csh",        "ctech",     "d_interp", "deg",
-    "end",    "g",      "hole",     "l",     "lod",    "maplib", "mg",         "mtllib",    "o",        "p",
-    "parm",   "s",      "scrv",     "sp",    "step",   "stech",  "shadow_obj", "trace_obj", "trim",     "usemap",
-    "usemtl", "vn",     "vp",       "vt",    "bsp",    "res",    "cdc"};
+    "bevel",  "bmat", "c_interp", "call", "con",  "cstype", "csh",        "ctech",     "d_interp", "deg",
+    "end",    "g",    "hole",     "l",    "lod",  "maplib", "mg",         "mtllib",    "o",        "p",
+    "parm",   "s",    "scrv",     "sp",   "step", "stech",  "shadow_obj", "trace_obj", "trim",     "usemap",
+    "usemtl", "vn",   "vp",       "vt",   "bsp",  "res",    "cdc"};
 constexpr std::array<std::string_view, 3> free_form_statements = {"curv", "curv2", "surf"};
 
 bool contains(const auto& words, std::string_view word) {
@@ -104,7 +104,7 @@ class ObjReader {
   void check_forward_references() const {
     for (const ForwardReference& reference : forward_) {
       if (static_cast<std::uint64_t>(reference.index) <= soup_.vertex_count()) continue;
-      throw FileError(path_, Line{reference.line}, out_of_range(reference.face, reference.index));
+      throw FileError(path_, Line{reference.line, 0}, out_of_range(reference.face, reference.index));
     }
   }
 

@@ -24,8 +24,8 @@ class OffReader {
     for (std::size_t i = 0; i < faces_; ++i) read_face(i);
     MeshFile result{{}, {}};
     if (!scanner_.at_end()) {
-      result.notes.push_back(path_.string() + ", line " + std::to_string(scanner_.line()) + ": what follows the last of " +
-                             counted(faces_, "face") + " was not read");
+      result.notes.push_back(path_.string() + ", line " + std::to_string(scanner_.line()) +
+                             ": what follows the last of " + counted(faces_, "face") + " was not read");
     }
     result.mesh = triangulate(std::move(soup_), path_);
     return result;
@@ -76,8 +76,8 @@ class OffReader {
   void read_vertex(std::size_t i) {
     if (scanner_.at_end()) fail_short("vertex", i, vertices_);
     for (int k = 0; k < 3; ++k) {
-      soup_.points.push_back(
-          scanner_.to_coordinate(scanner_.word("a coordinate of a vertex"), "a coordinate of vertex " + std::to_string(i)));
+      soup_.points.push_back(scanner_.to_coordinate(scanner_.word("a coordinate of a vertex"),
+                                                    "a coordinate of vertex " + std::to_string(i)));
     }
     skip_numbers("vertex", i);
   }
@@ -91,8 +91,8 @@ class OffReader {
     for (std::int64_t k = 0; k < corners; ++k) {
       const std::int64_t vertex = scanner_.to_integer(scanner_.word("a corner of a face"), "a corner of a face");
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_)) {
-        scanner_.fail("face " + std::to_string(i) + " names vertex " + std::to_string(vertex) + ", but there are only " +
-                      counted(vertices_, "vertex") + " (both count from 0)");
+        scanner_.fail("face " + std::to_string(i) + " names vertex " + std::to_string(vertex) +
+                      ", but there are only " + counted(vertices_, "vertex") + " (both count from 0)");
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(vertex));
     }
@@ -102,8 +102,8 @@ class OffReader {
 
   void skip_numbers(const char* element, std::size_t i) {
     while (scanner_.more_on_line()) {
-      scanner_.to_number(scanner_.word_on_line(), "a colour or other value of " + std::string(element) + " " +
-                                                      std::to_string(i));
+      scanner_.to_number(scanner_.word_on_line(),
+                         "a colour or other value of " + std::string(element) + " " + std::to_string(i));
     }
   }
 

@@ -78,7 +78,9 @@ class HeaderReader {
     next_line();
   }
 
-  [[noreturn]] void fail_at_start() const { throw FileError(path_, Line{1}, "is not PLY: its first line should be \"ply\""); }
+  [[noreturn]] void fail_at_start() const {
+    throw FileError(path_, Line{1, 0}, "is not PLY: its first line should be \"ply\"");
+  }
 
   std::string_view next_line() {
     const std::size_t end = bytes_.find(line_end_, at_);
@@ -149,7 +151,7 @@ class HeaderReader {
     fail("the type " + in_quotes(name) + " is unknown");
   }
 
-  [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, Line{line_}, reason); }
+  [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, Line{line_, 0}, reason); }
 
   const std::filesystem::path& path_;
   std::string_view bytes_;

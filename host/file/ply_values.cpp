@@ -36,7 +36,7 @@ bool PlyTextValues::may_hold(std::uint64_t rows, std::size_t) const { return row
 bool PlyTextValues::at_end() { return !scanner_.next_line(); }
 
 void PlyTextValues::fail(const std::string& reason) const {
-  throw FileError(path_, Line{header_lines_ + scanner_.line()}, reason);
+  throw FileError(path_, Line{header_lines_ + scanner_.line(), 0}, reason);
 }
 
 PlyBinaryValues::PlyBinaryValues(const std::filesystem::path& path, std::string_view bytes, const PlyHeader& header)

@@ -25,7 +25,8 @@ std::string key_text(std::string_view key) {
 
 // A name as sentences show it: one line, whatever it holds.
 std::string name_text(std::string name) {
-  std::replace_if(name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; }, '?');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; }, '?');
   return key_text(name);
 }
 
@@ -102,7 +103,8 @@ class SlidesReader {
   std::vector<Point3> read_stroke(const Json& json) const {
     if (!json.is_array()) fail_slide("\"stroke\" should be an array of points [x, y, z]");
     std::vector<Point3> stroke;
-    for (const Json& point : json) stroke.push_back(to_point(point, "point " + std::to_string(stroke.size()) + " of \"stroke\""));
+    for (const Json& point : json)
+      stroke.push_back(to_point(point, "point " + std::to_string(stroke.size()) + " of \"stroke\""));
     return stroke;
   }
 
@@ -112,9 +114,8 @@ class SlidesReader {
   }
 
   Point3 to_point(const Json& json, const std::string& what) const {
-    if (!json.is_array() || json.size() != 3 || !std::all_of(json.begin(), json.end(), [](const Json& x) {
-          return x.is_number();
-        })) {
+    if (!json.is_array() || json.size() != 3 ||
+        !std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); })) {
       fail_slide(what + " should be three numbers [x, y, z]");
     }
     return json.get<Point3>();

@@ -112,9 +112,7 @@ class AsciiStlReader {
     expect("endfacet");
   }
 
-  std::string coordinate_name() const {
-    return "a coordinate of triangle " + std::to_string(welder_.triangle_count());
-  }
+  std::string coordinate_name() const { return "a coordinate of triangle " + std::to_string(welder_.triangle_count()); }
 
   void expect(std::string_view keyword) {
     const std::string name = in_quotes(keyword);
@@ -137,11 +135,14 @@ bool is_binary(const std::filesystem::path& path, std::string_view bytes) {
   if (has_header && promised_size(bytes) == bytes.size()) return true;
   const bool has_zero = bytes.substr(0, 1024).find('\0') != bytes.npos;
   if (begins_with_solid(bytes) && !has_zero) return false;
-  if (!has_header) throw FileError(path, {}, "is not STL: it is no text that begins with \"solid\", and too short to be binary");
-  const std::string promise = counted(static_cast<std::size_t>((promised_size(bytes) - header_bytes) / triangle_bytes),
-                                      "triangle") + ", " + std::to_string(promised_size(bytes)) + " bytes";
-  throw FileError(path, Byte{80}, "is not STL or damaged: as binary STL it promises " + promise + ", but it has " +
-                                      std::to_string(bytes.size()));
+  if (!has_header)
+    throw FileError(path, {}, "is not STL: it is no text that begins with \"solid\", and too short to be binary");
+  const std::string promise =
+      counted(static_cast<std::size_t>((promised_size(bytes) - header_bytes) / triangle_bytes), "triangle") + ", " +
+      std::to_string(promised_size(bytes)) + " bytes";
+  throw FileError(
+      path, Byte{80},
+      "is not STL or damaged: as binary STL it promises " + promise + ", but it has " + std::to_string(bytes.size()));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ std::string after_position(std::string_view message) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t column = before.size() - (before.rfind('\n') + 1);  // npos + 1 is 0
-  throw FileError(path, Line{line}, "column " + std::to_string(column + 1) + ": " + reason);
+  throw FileError(path, Line{line, column + 1}, reason);
 }
 
 }  // namespace
@@ -97,9 +97,8 @@ std::string after_position(std::string_view message) {
 Json parse_strict_json(const std::filesystem::path& path, std::string_view text) {
   Trail trail(path);
   try {
-    return Json::parse(text.begin(), text.end(), [&trail](int, Json::parse_event_t event, Json& value) {
-      return trail.follow(event, value);
-    });
+    return Json::parse(text.begin(), text.end(),
+                       [&trail](int, Json::parse_event_t event, Json& value) { return trail.follow(event, value); });
   } catch (const Json::parse_error& error) {
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
     fail_at(path, text, byte, "is not JSON: " + after_position(error.what()));

@@ -127,6 +127,6 @@ std::int64_t TextScanner::to_integer(std::string_view word, std::string_view wha
   fail(std::string(what) + " should be a whole number, not " + in_quotes(word));
 }
 
-void TextScanner::fail(const std::string& reason) const { throw FileError(path_, Line{line_}, reason); }
+void TextScanner::fail(const std::string& reason) const { throw FileError(path_, Line{line_, 0}, reason); }
 
 }  // namespace cagewright::host

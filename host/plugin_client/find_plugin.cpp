@@ -15,8 +15,7 @@ std::filesystem::path find_plugin(const std::optional<std::filesystem::path>& as
   if (const char* path = std::getenv("CAGEWRIGHT_PLUGIN"); path != nullptr && *path != '\0') return path;
 
   std::error_code error;
-  const std::filesystem::path program_folder =
-      std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const std::filesystem::path program_folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   std::vector<std::filesystem::path> folders;
   if (!program_folder.empty()) {
     const std::filesystem::path prefix = program_folder.parent_path();

@@ -57,7 +57,8 @@ std::shared_ptr<const Plugin> Plugin::load(const std::filesystem::path& path) {
   // A name without a slash would be looked for in the system's folders.
   const std::string absolute = std::filesystem::absolute(path).string();
   std::unique_ptr<void, Unload> library(::dlopen(absolute.c_str(), RTLD_NOW | RTLD_LOCAL));
-  if (library == nullptr) throw PluginLoadError(path.string() + ": the plug-in cannot be loaded: " + last_loader_error());
+  if (library == nullptr)
+    throw PluginLoadError(path.string() + ": the plug-in cannot be loaded: " + last_loader_error());
   void* entry = ::dlsym(library.get(), CGW_ENTRY_POINT);
   if (entry == nullptr) refuse(path, "it has no function " CGW_ENTRY_POINT);
   const cgw_api* api = reinterpret_cast<cgw_get_api_fn>(entry)(CGW_ABI_MINOR);
@@ -109,7 +110,8 @@ void Plugin::check(cgw_status status, const cgw_session* session, const char* ca
   cgw_error_info info = CGW_ERROR_INFO_INIT;
   if (api_->last_error_info(session, &info) != CGW_OK) info = CGW_ERROR_INFO_INIT;
   info.code = status;
-  if (sentence.empty()) sentence = std::string("the plug-in's ") + call + " failed (" + text_or_empty(api_->status_name(status)) + ")";
+  if (sentence.empty())
+    sentence = std::string("the plug-in's ") + call + " failed (" + text_or_empty(api_->status_name(status)) + ")";
   throw PluginError(info, sentence);
 }
 

@@ -19,7 +19,8 @@ void expect_file_error(Call call, const std::vector<std::string>& parts) {
   } catch (const FileError& error) {
     const std::string sentence = error.what();
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
-    for (const std::string& part : parts) EXPECT_NE(sentence.find(part), sentence.npos) << part << "\nis not in: " << sentence;
+    for (const std::string& part : parts)
+      EXPECT_NE(sentence.find(part), sentence.npos) << part << "\nis not in: " << sentence;
     return;
   }
   ADD_FAILURE() << "nothing was thrown; expected: " << testing::PrintToString(parts);

@@ -86,8 +86,8 @@ cgw_status parameter_info(uint32_t index, cgw_parameter* out) {
         nullptr, 0, 0},
        {sizeof(cgw_parameter), CGW_PARAM_INTEGER, "refine.iterations", "Iterations", "At most.", "", 30, 0, 1000,
         nullptr, 0, 0},
-       {sizeof(cgw_parameter), CGW_PARAM_CHOICE, "refine.scope", "Scope", "Which vertices.", "", 0, 0, 1,
-        scopes.data(), 2, 0}}};
+       {sizeof(cgw_parameter), CGW_PARAM_CHOICE, "refine.scope", "Scope", "Which vertices.", "", 0, 0, 1, scopes.data(),
+        2, 0}}};
   if (index >= parameters.size()) return fail(nullptr, CGW_ERROR_INVALID_ARGUMENT, "no such parameter");
   std::memcpy(out, &parameters[index], std::min<std::size_t>(out->struct_size, sizeof(cgw_parameter)));
   return CGW_OK;
@@ -120,9 +120,10 @@ cgw_status inspect_mesh(const cgw_mesh* mesh, cgw_mesh_report* out) {
   for (uint64_t t = 0; t < mesh->triangle_count; ++t) {
     const double* p[3];
     for (uint64_t k = 0; k < 3; ++k) p[k] = mesh->vertices + 3 * mesh->triangles[3 * t + k];
-    out->signed_volume += (p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
-                           p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
-                           p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0])) / 6;
+    out->signed_volume +=
+        (p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
+         p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0])) /
+        6;
   }
   out->inside_out = out->closed == 1 && out->signed_volume < 0 ? 1 : 0;
   out->diagonal = 2;
@@ -160,8 +161,9 @@ cgw_status set_mesh(cgw_session* session, const cgw_mesh* mesh) {
 }
 
 cgw_mesh as_mesh(const cgw_session* session) {
-  return {sizeof(cgw_mesh),          0, session->points.data(), session->points.size() / 3, session->triangles.data(),
-          session->triangles.size() / 3};
+  return {sizeof(cgw_mesh),          0,
+          session->points.data(),    session->points.size() / 3,
+          session->triangles.data(), session->triangles.size() / 3};
 }
 
 cgw_status mesh_report(const cgw_session* session, cgw_mesh_report* out) {
@@ -294,15 +296,40 @@ cgw_status load_state(cgw_session*, const cgw_stream*) { return CGW_OK; }
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const cgw_api* cgw_get_api_v1(uint32_t) {
-  static cgw_api api = {sizeof(cgw_api),  CGW_ABI_MAJOR,   CGW_ABI_MINOR, 3,
-                        "0.0.1",          status_name,     stage_name,    parameter_info,
-                        inspect_mesh,     session_create,  session_destroy, last_error,
-                        last_error_info,  set_mesh,        mesh_report,   set_parameter,
-                        set_parameter_text, get_parameter, slide_add,     slide_change,
-                        slide_remove,     slide_count,     slide_info,    solve,
-                        get_parts,        section_count,   get_section,   get_loop,
-                        get_cage,         iteration_count, get_iteration, get_summary,
-                        save_state,       load_state};
+  static cgw_api api = {sizeof(cgw_api),
+                        CGW_ABI_MAJOR,
+                        CGW_ABI_MINOR,
+                        3,
+                        "0.0.1",
+                        status_name,
+                        stage_name,
+                        parameter_info,
+                        inspect_mesh,
+                        session_create,
+                        session_destroy,
+                        last_error,
+                        last_error_info,
+                        set_mesh,
+                        mesh_report,
+                        set_parameter,
+                        set_parameter_text,
+                        get_parameter,
+                        slide_add,
+                        slide_change,
+                        slide_remove,
+                        slide_count,
+                        slide_info,
+                        solve,
+                        get_parts,
+                        section_count,
+                        get_section,
+                        get_loop,
+                        get_cage,
+                        iteration_count,
+                        get_iteration,
+                        get_summary,
+                        save_state,
+                        load_state};
   if (asked("null_table")) return nullptr;
   api.struct_size = asked("small_table") ? sizeof(cgw_api) - sizeof(void*) : sizeof(cgw_api);
   api.abi_major = asked("other_major") ? 2 : CGW_ABI_MAJOR;

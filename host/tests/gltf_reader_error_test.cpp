@@ -25,11 +25,13 @@ void expect_after(Change change, const std::vector<std::string>& parts) {
 TEST(GltfReaderErrors, NameTheNodeAtFault) {
   expect_after([](json& j) { j["nodes"][0]["children"] = {0}; }, {"a.glb", "no tree", "node 0"});
   expect_after([](json& j) { j["nodes"] = {{{"children", {1}}}, {{"children", {0}}}}; }, {"no tree"});
-  expect_after([](json& j) {
-    j["nodes"] = {{{"children", {1}}}, {{"children", {0}}}};
-    j.erase("scenes");
-    j.erase("scene");
-  }, {"circle"});
+  expect_after(
+      [](json& j) {
+        j["nodes"] = {{{"children", {1}}}, {{"children", {0}}}};
+        j.erase("scenes");
+        j.erase("scene");
+      },
+      {"circle"});
   expect_after([](json& j) { j["nodes"][0]["children"] = {7}; }, {"node 7", "not there"});
   expect_after([](json& j) { j["nodes"][0]["mesh"] = 7; }, {"node 0", "mesh 7", "not there"});
   expect_after([](json& j) { j["scene"] = 7; }, {"scene 7", "not there"});
@@ -40,8 +42,12 @@ TEST(GltfReaderErrors, NameTheNodeAtFault) {
 TEST(GltfReaderErrors, NameMeshPrimitiveAndAccessorAtFault) {
   expect_after([](json& j) { j["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 7; },
                {"mesh 0, primitive 0", "accessor 7", "not there"});
-  expect_after([](json& j) { j["meshes"][0]["name"] = "hat"; j["accessors"][0]["type"] = "VEC2"; },
-               {"mesh 0 (\"hat\")", "accessor 0", "VEC3"});
+  expect_after(
+      [](json& j) {
+        j["meshes"][0]["name"] = "hat";
+        j["accessors"][0]["type"] = "VEC2";
+      },
+      {"mesh 0 (\"hat\")", "accessor 0", "VEC3"});
   expect_after([](json& j) { j["accessors"][0]["count"] = 4; }, {"accessor 0", "does not fit"});
   expect_after([](json& j) { j["accessors"][0]["count"] = 9007199254740992; }, {"accessor 0", "does not fit"});
   expect_after([](json& j) { j["accessors"][0]["byteOffset"] = 4; }, {"accessor 0", "does not fit"});
@@ -57,35 +63,43 @@ TEST(GltfReaderErrors, NameMeshPrimitiveAndAccessorAtFault) {
   expect_after([](json& j) { j["accessors"][0]["count"] = 2; }, {"primitive 0", "index 2", "vertex 2", "2 vertices"});
   expect_after([](json& j) { j["meshes"][0]["primitives"][0]["mode"] = 0; }, {"a.glb", "no triangles"});
   expect_after([](json& j) { j["meshes"][0]["primitives"] = json::array(); }, {"a.glb", "no triangles"});
-  expect_after([](json& j) {
-    j["accessors"][0].erase("bufferView");
-    j["accessors"][0]["count"] = 1000000000000;
-    j["accessors"][0]["sparse"] = {{"count", 1},
-                                   {"indices", {{"bufferView", 1}, {"componentType", gl_ushort}}},
-                                   {"values", {{"bufferView", 0}}}};
-  }, {"accessor 0", "too many"});
-  expect_after([](json& j) {
-    j["accessors"][0]["sparse"] = {{"count", 3},
-                                   {"indices", {{"bufferView", 1}, {"componentType", gl_ushort}}},
-                                   {"values", {{"bufferView", 0}}}};
-    j["accessors"][0]["count"] = 2;
-  }, {"accessor 0", "sparse index 2"});
+  expect_after(
+      [](json& j) {
+        j["accessors"][0].erase("bufferView");
+        j["accessors"][0]["count"] = 1000000000000;
+        j["accessors"][0]["sparse"] = {{"count", 1},
+                                       {"indices", {{"bufferView", 1}, {"componentType", gl_ushort}}},
+                                       {"values", {{"bufferView", 0}}}};
+      },
+      {"accessor 0", "too many"});
+  expect_after(
+      [](json& j) {
+        j["accessors"][0]["sparse"] = {{"count", 3},
+                                       {"indices", {{"bufferView", 1}, {"componentType", gl_ushort}}},
+                                       {"values", {{"bufferView", 0}}}};
+        j["accessors"][0]["count"] = 2;
+      },
+      {"accessor 0", "sparse index 2"});
 }
 
 TEST(GltfReaderErrors, NameTheVertexThatIsNotFinite) {
   GlbSample sample;
   const float infinity = std::numeric_limits<float>::infinity();
-  sample.node(sample.mesh(sample.accessor(sample.view<float>({0, 0, 0, 1, infinity, 0, 0, 1, 0}), gl_float, 3, "VEC3"), -1));
-  expect_file_error([&] { read_gltf("a.glb", sample.bytes()); }, {"a.glb", "mesh 0, primitive 0", "vertex 1", "not finite"});
+  sample.node(
+      sample.mesh(sample.accessor(sample.view<float>({0, 0, 0, 1, infinity, 0, 0, 1, 0}), gl_float, 3, "VEC3"), -1));
+  expect_file_error([&] { read_gltf("a.glb", sample.bytes()); },
+                    {"a.glb", "mesh 0, primitive 0", "vertex 1", "not finite"});
 }
 
 TEST(GltfReaderErrors, SayThatCompressionIsNotSupported) {
   expect_after([](json& j) { j["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }, {"a.glb", "Draco"});
   expect_after([](json& j) { j["extensionsRequired"] = {"EXT_meshopt_compression"}; }, {"a.glb", "meshopt"});
-  expect_after([](json& j) {
-    j["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
-    j["accessors"][0].erase("bufferView");
-  }, {"a.glb", "mesh 0, primitive 0", "Draco"});
+  expect_after(
+      [](json& j) {
+        j["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
+        j["accessors"][0].erase("bufferView");
+      },
+      {"a.glb", "mesh 0, primitive 0", "Draco"});
 }
 
 TEST(GltfReaderErrors, SayWhatIsNotGltf) {

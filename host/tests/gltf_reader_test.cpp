@@ -21,7 +21,8 @@ Rows triangles_of(int mode, const std::vector<std::uint8_t>& indices) {
   GlbSample sample;
   const int positions = sample.accessor(sample.view(four_points), gl_float, 4, "VEC3");
   const int count = static_cast<int>(indices.size());
-  sample.node(sample.mesh(positions, count > 0 ? sample.accessor(sample.view(indices), gl_ubyte, count, "SCALAR") : -1, mode));
+  sample.node(
+      sample.mesh(positions, count > 0 ? sample.accessor(sample.view(indices), gl_ubyte, count, "SCALAR") : -1, mode));
   return glb(sample).mesh.triangles;
 }
 
@@ -97,9 +98,10 @@ TEST(GltfReader, LeavesASingleMeshInItsLocalSpace) {
 TEST(GltfReader, MergesSeveralMeshesInTheScenesSpaceAndSaysSo) {
   GlbSample sample;
   sample.one_triangle();
-  sample.json["nodes"] = {{{"children", {1, 2}}, {"translation", {10, 0, 0}}},
-                          {{"mesh", 0}, {"scale", {2, 2, 2}}, {"rotation", {0, 0, 0.7071067811865476, 0.7071067811865476}}},
-                          {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 1}}}};
+  sample.json["nodes"] = {
+      {{"children", {1, 2}}, {"translation", {10, 0, 0}}},
+      {{"mesh", 0}, {"scale", {2, 2, 2}}, {"rotation", {0, 0, 0.7071067811865476, 0.7071067811865476}}},
+      {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 1}}}};
   const MeshFile file = glb(sample);
   const Points expected = {10, 0, 0, 10, 2, 0, 8, 0, 0, 10, 0, 5, 11, 0, 5, 10, 1, 5};
   ASSERT_EQ(file.mesh.points.size(), expected.size());

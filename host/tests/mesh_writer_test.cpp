@@ -19,8 +19,9 @@ constexpr std::uint32_t trials = 200;
 TEST(MeshWriter, EveryMeshComesBackBitForBitFromFormatsWithIndices) {
   for (std::uint32_t seed = 0; seed < trials; ++seed) {
     const TriangleMesh mesh = random_mesh(seed);
-    for (const TriangleMesh& copy : {read_obj("a", mesh_bytes(mesh, "a.obj")).mesh, read_off("a", mesh_bytes(mesh, "a.off")).mesh,
-                                     read_ply("a", mesh_bytes(mesh, "a.ply")).mesh}) {
+    for (const TriangleMesh& copy :
+         {read_obj("a", mesh_bytes(mesh, "a.obj")).mesh, read_off("a", mesh_bytes(mesh, "a.off")).mesh,
+          read_ply("a", mesh_bytes(mesh, "a.ply")).mesh}) {
       ASSERT_EQ(copy.points, mesh.points) << seed;
       ASSERT_EQ(copy.triangles, mesh.triangles) << seed;
     }

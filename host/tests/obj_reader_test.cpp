@@ -34,7 +34,8 @@ TEST(ObjReader, CountsNegativeIndicesFromTheLastVertexSoFar) {
 }
 
 TEST(ObjReader, TakesTheVertexOfEveryKindOfCorner) {
-  EXPECT_EQ(obj(three_vertices + "vt 0 0\nvn 0 0 1\nf 1/1 2//1 3/1/1\nf -3/-1/-1 2/ 3\n").triangles, (Rows{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(obj(three_vertices + "vt 0 0\nvn 0 0 1\nf 1/1 2//1 3/1/1\nf -3/-1/-1 2/ 3\n").triangles,
+            (Rows{0, 1, 2, 0, 1, 2}));
 }
 
 TEST(ObjReader, SkipsWeightsAndColoursOfVertices) {
@@ -61,7 +62,9 @@ TEST(ObjReader, AcceptsFacesBeforeTheirVertices) {
 }
 
 TEST(ObjReader, SkipsWhatSaysNothingAboutPolygons) {
-  EXPECT_EQ(obj("mtllib a.mtl\no x\ng a b\ns off\nusemtl red\n" + three_vertices + "l 1 2\np 1\nf 1 2 3\n").triangle_count(), 1u);
+  EXPECT_EQ(
+      obj("mtllib a.mtl\no x\ng a b\ns off\nusemtl red\n" + three_vertices + "l 1 2\np 1\nf 1 2 3\n").triangle_count(),
+      1u);
 }
 
 TEST(ObjReader, NotesFreeFormCurves) {

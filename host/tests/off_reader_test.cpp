@@ -40,7 +40,8 @@ TEST(OffReader, TurnsQuadsIntoTwoTriangles) {
 }
 
 TEST(OffReader, KeepsWhatIsNotManifold) {
-  EXPECT_EQ(off("OFF 4 5 0\n0 0 0\n1 0 0\n0 1 0\n9 9 9\n3 0 1 2\n3 0 1 2\n3 1 0 2\n3 0 0 1\n3 2 2 2\n").triangle_count(), 5u);
+  EXPECT_EQ(
+      off("OFF 4 5 0\n0 0 0\n1 0 0\n0 1 0\n9 9 9\n3 0 1 2\n3 0 1 2\n3 1 0 2\n3 0 0 1\n3 2 2 2\n").triangle_count(), 5u);
 }
 
 TEST(OffReader, NotesWhatFollowsTheLastFace) {

@@ -29,7 +29,8 @@ void expect_load_error(const std::filesystem::path& path, const std::vector<std:
   } catch (const PluginLoadError& error) {
     const std::string sentence = error.what();
     EXPECT_EQ(sentence.find(path.string()), 0u) << sentence;
-    for (const std::string& part : parts) EXPECT_NE(sentence.find(part), std::string::npos) << part << " in " << sentence;
+    for (const std::string& part : parts)
+      EXPECT_NE(sentence.find(part), std::string::npos) << part << " in " << sentence;
   }
 }
 
@@ -63,8 +64,9 @@ TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
   expect_load_error("missing.so", {"no such plug-in"});
   expect_load_error("/proc/self/maps", {"cannot be loaded"});
   expect_load_error("/lib/x86_64-linux-gnu/libm.so.6", {"no plug-in", CGW_ENTRY_POINT});
-  for (const auto& [what, reason] : {std::pair{"null_table", "does not serve ABI 1.0"}, std::pair{"small_table", "bytes"},
-                                     std::pair{"other_major", "has ABI 2.0"}, std::pair{"gaps", "has gaps"}}) {
+  for (const auto& [what, reason] :
+       {std::pair{"null_table", "does not serve ABI 1.0"}, std::pair{"small_table", "bytes"},
+        std::pair{"other_major", "has ABI 2.0"}, std::pair{"gaps", "has gaps"}}) {
     const Environment environment("CAGEWRIGHT_FAKE", what);
     expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});
     EXPECT_FALSE(is_loaded()) << what;
@@ -150,12 +152,13 @@ TEST(Blame, FollowsTheRangesOfTheHeader) {
   for (const cgw_status status : {CGW_ERROR_MESH_EMPTY, CGW_ERROR_MESH_NOT_ORIENTABLE}) {
     EXPECT_EQ(blame(status), Blame::model);
   }
-  for (const cgw_status status : {CGW_ERROR_STROKE_TOO_SHORT, CGW_ERROR_SLIDE_NAME, CGW_ERROR_SLIDES_TOUCH,
-                                  CGW_ERROR_REFINE_DIVERGED}) {
+  for (const cgw_status status :
+       {CGW_ERROR_STROKE_TOO_SHORT, CGW_ERROR_SLIDE_NAME, CGW_ERROR_SLIDES_TOUCH, CGW_ERROR_REFINE_DIVERGED}) {
     EXPECT_EQ(blame(status), Blame::slides);
   }
   EXPECT_EQ(blame(CGW_ERROR_UNKNOWN_PARAMETER), Blame::parameter);
-  for (const cgw_status status : {CGW_ERROR_INTERNAL, CGW_ERROR_OUT_OF_MEMORY, CGW_ERROR_STREAM, CGW_ERROR_STATE_MAGIC}) {
+  for (const cgw_status status :
+       {CGW_ERROR_INTERNAL, CGW_ERROR_OUT_OF_MEMORY, CGW_ERROR_STREAM, CGW_ERROR_STATE_MAGIC}) {
     EXPECT_EQ(blame(status), Blame::program);
   }
 }

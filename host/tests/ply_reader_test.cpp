@@ -36,9 +36,9 @@ std::string binary_body(std::endian order) {
 }
 
 TEST(PlyReader, ReadsAsciiAndBothBinaryFormats) {
-  for (const std::string& bytes : {header("ascii", 3, 1) + ascii_body,
-                                   header("binary_little_endian", 3, 1) + binary_body(std::endian::little),
-                                   header("binary_big_endian", 3, 1) + binary_body(std::endian::big)}) {
+  for (const std::string& bytes :
+       {header("ascii", 3, 1) + ascii_body, header("binary_little_endian", 3, 1) + binary_body(std::endian::little),
+        header("binary_big_endian", 3, 1) + binary_body(std::endian::big)}) {
     const TriangleMesh mesh = ply(bytes);
     EXPECT_EQ(mesh.points, (Points{0, 0, 0, 1, 0, 0, 0, 1.5, 0}));
     EXPECT_EQ(mesh.triangles, (Rows{0, 1, 2}));
@@ -46,16 +46,18 @@ TEST(PlyReader, ReadsAsciiAndBothBinaryFormats) {
 }
 
 TEST(PlyReader, ReadsAHeaderWithWindowsLineEnds) {
-  std::string head = header("binary_little_endian", 3, 1);
-  for (std::size_t at = 0; (at = head.find('\n', at)) != head.npos; at += 2) head.insert(at, "\r");
-  EXPECT_EQ(ply(head + binary_body(std::endian::little)).triangle_count(), 1u);
+  const std::string head = header("binary_little_endian", 3, 1);
+  std::string windows_head;
+  for (const char c : head) windows_head += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(ply(windows_head + binary_body(std::endian::little)).triangle_count(), 1u);
 }
 
 TEST(PlyReader, ReadsEveryTypeAndSkipsOtherPropertiesAndElements) {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement camera 1\nproperty double f\nproperty list uint16 int16 odd\n"
       "element vertex 3\nproperty uchar red\nproperty double x\nproperty int16 y\nproperty uint32 z\n"
-      "element face 1\nproperty int8 flag\nproperty list int32 uint16 vertex_index\nproperty list uchar float uv\nend_header\n";
+      "element face 1\nproperty int8 flag\nproperty list int32 uint16 vertex_index\nproperty list uchar float "
+      "uv\nend_header\n";
   append_little_endian(bytes, 2.5);
   append_little_endian(bytes, std::uint16_t{2});
   bytes += "abcd";
@@ -67,7 +69,7 @@ TEST(PlyReader, ReadsEveryTypeAndSkipsOtherPropertiesAndElements) {
   }
   bytes += 'f';
   append_little_endian(bytes, std::int32_t{3});
-  for (const std::uint16_t i : {2, 1, 0}) append_little_endian(bytes, i);
+  for (const int i : {2, 1, 0}) append_little_endian(bytes, static_cast<std::uint16_t>(i));
   bytes += '\1';
   append_little_endian(bytes, 1.0f);
   const MeshFile file = read_ply("a.ply", bytes);

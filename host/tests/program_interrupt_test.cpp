@@ -18,7 +18,8 @@ class ProgramInterruptTest : public testing::Test {
   ProgramInterruptTest() { folder.write("m.off", mesh_bytes(unit_cube(), "m.off")); }
 
   Program start(const std::string& fake) const {
-    return Program({"cage", (folder / "m.off").string(), "-o", (folder / "cage.obj").string()}, {{"CAGEWRIGHT_FAKE", fake}});
+    return Program({"cage", (folder / "m.off").string(), "-o", (folder / "cage.obj").string()},
+                   {{"CAGEWRIGHT_FAKE", fake}});
   }
 
   TemporaryFolder folder;

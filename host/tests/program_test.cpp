@@ -82,8 +82,9 @@ TEST_F(ProgramTest, WritesTheCageInEveryFormat) {
 
 TEST_F(ProgramTest, TellsStagesAndNotesOnStderrUnlessQuiet) {
   const ProgramRun run = cage({});
-  EXPECT_EQ(run.errors, "cagewright: read\ncagewright: a note of two lines\ncagewright: segment\ncagewright: refine\n"
-                        "cagewright: write\n");
+  EXPECT_EQ(run.errors,
+            "cagewright: read\ncagewright: a note of two lines\ncagewright: segment\ncagewright: refine\n"
+            "cagewright: write\n");
   EXPECT_EQ(cage({"--quiet"}).errors, "");
 }
 
@@ -131,8 +132,10 @@ TEST_F(ProgramTest, ExitsWith3AndNamesTheBadInput) {
   const std::string out = at("cage.obj");
   expect_failure(run_program({"cage", at("none.off"), "-o", out}), 3, {"none.off", "no such file"});
   expect_failure(run_program({"cage", at("s.json"), "-o", out}), 3, {"s.json", "\".json\" is unknown"});
-  expect_failure(run_program({"cage", at("m.off"), "--slides", at("no.json"), "-o", out}), 3, {"no.json", "no such file"});
-  expect_failure(run_program({"cage", at("m.off"), "--slides", at("m.off"), "-o", out}), 3, {"m.off, line 1", "not JSON"});
+  expect_failure(run_program({"cage", at("m.off"), "--slides", at("no.json"), "-o", out}), 3,
+                 {"no.json", "no such file"});
+  expect_failure(run_program({"cage", at("m.off"), "--slides", at("m.off"), "-o", out}), 3,
+                 {"m.off, line 1", "not JSON"});
   expect_failure(cage({"-o", out}, "mesh_open"), 3, {"m.off", "3 open edges", "vertex 7"});
   expect_failure(cage({"-o", out}, "slides_touch"), 3, {"s.json", "\"a\" and \"b\" touch"});
   expect_failure(cage({"-o", out, "--set", "refine.magic=1"}), 3, {"refine.magic=1", "no parameter"});

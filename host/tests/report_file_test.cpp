@@ -22,8 +22,8 @@ TEST(ReportFile, HasExactlyTheDocumentedKeys) {
   Report report;
   report.slides.push_back({"wrist", "ok", ""});
   const json j = json::parse(report_text(report));
-  EXPECT_EQ(keys(j), (std::set<std::string>{"model", "slides", "parts", "cage", "refinement", "certificate", "tightness",
-                                            "timings_ms", "peak_memory_mb", "version", "options"}));
+  EXPECT_EQ(keys(j), (std::set<std::string>{"model", "slides", "parts", "cage", "refinement", "certificate",
+                                            "tightness", "timings_ms", "peak_memory_mb", "version", "options"}));
   EXPECT_EQ(keys(j["model"]), (std::set<std::string>{"vertices", "triangles", "components", "genus", "closed"}));
   EXPECT_EQ(keys(j["slides"][0]), (std::set<std::string>{"name", "status", "message"}));
   EXPECT_EQ(keys(j["cage"]), (std::set<std::string>{"vertices", "triangles", "genus"}));
@@ -33,8 +33,8 @@ TEST(ReportFile, HasExactlyTheDocumentedKeys) {
                                                            "vertices_outside", "encloses"}));
   EXPECT_EQ(keys(j["tightness"]),
             (std::set<std::string>{"volume_ratio", "mean_gap_over_diagonal", "max_gap_over_diagonal"}));
-  EXPECT_EQ(keys(j["timings_ms"]), (std::set<std::string>{"read", "segment", "orient", "meshing", "refine", "enclose",
-                                                          "write", "total"}));
+  EXPECT_EQ(keys(j["timings_ms"]),
+            (std::set<std::string>{"read", "segment", "orient", "meshing", "refine", "enclose", "write", "total"}));
 }
 
 TEST(ReportFile, WritesNullForWhatNobodyComputed) {

@@ -103,7 +103,8 @@ ProgramRun Program::finish() {
   return run_;
 }
 
-ProgramRun run_program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment) {
+ProgramRun run_program(const std::vector<std::string>& arguments,
+                       const std::map<std::string, std::string>& environment) {
   return Program(arguments, environment).finish();
 }
 

@@ -19,7 +19,8 @@ struct ProgramRun {
 // CAGEWRIGHT_PLUGIN, DISPLAY is not set; `environment` comes on top, "" unsets.
 class Program {
  public:
-  explicit Program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment = {});
+  explicit Program(const std::vector<std::string>& arguments,
+                   const std::map<std::string, std::string>& environment = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

@@ -12,11 +12,12 @@ TriangleMesh unit_cube() {
 }
 
 TriangleMesh random_mesh(std::uint32_t seed) {
-  std::mt19937 random(seed);
+  std::mt19937 engine(seed);
+  const auto random = [&engine] { return static_cast<std::uint32_t>(engine()); };
   TriangleMesh mesh;
   const std::uint32_t vertices = 3 + random() % 40;
   for (std::uint32_t i = 0; i < 3 * vertices; ++i) {
-    const double mantissa = std::uniform_real_distribution<double>(-1, 1)(random);
+    const double mantissa = std::uniform_real_distribution<double>(-1, 1)(engine);
     mesh.points.push_back(std::ldexp(mantissa, static_cast<int>(random() % 200) - 100));
   }
   const std::uint32_t triangles = 1 + random() % 60;

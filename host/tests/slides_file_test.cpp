@@ -83,21 +83,29 @@ TEST(SlidesFile, NamesTheSlideAndTheKeyAtFault) {
   expect(with_slide("{\"name\": \"a\"}"), {"slide 0 (\"a\")", "stroke", "point", "center"});
   expect(with_slide("{\"name\": \"a\", \"stroke\": [], \"colour\": 1}"), {"slide 0 (\"a\")", "unknown key \"colour\""});
   expect(with_slide("{\"name\": \"a\", \"stroke\": [], \"stroke\": []}"), {"slides[0].stroke", "twice"});
-  expect(with_slide("{\"name\": \"a\", \"stroke\": [], \"point\": [0,0,0]}"), {"(\"a\")", "both \"stroke\" and \"point\""});
+  expect(with_slide("{\"name\": \"a\", \"stroke\": [], \"point\": [0,0,0]}"),
+         {"(\"a\")", "both \"stroke\" and \"point\""});
   expect(with_slide("{\"name\": \"a\", \"point\": [0,0,0], \"u\": [0,0,0]}"), {"(\"a\")", "both \"point\" and \"u\""});
   expect(with_slide("{\"name\": \"a\", \"stroke\": 7}"), {"(\"a\")", "\"stroke\" should be an array"});
   expect(with_slide("{\"name\": \"a\", \"stroke\": [[0,0,0],[1,2]]}"), {"(\"a\")", "point 1 of \"stroke\""});
   expect(with_slide("{\"name\": \"a\", \"point\": [0,0,0]}"), {"(\"a\")", "no \"normal\""});
   expect(with_slide("{\"name\": \"a\", \"normal\": [0,0,0]}"), {"(\"a\")", "no \"point\""});
-  expect(with_slide("{\"name\": \"a\", \"point\": [0,0,0,0], \"normal\": [0,0,1]}"), {"(\"a\")", "\"point\"", "three numbers"});
-  expect(with_slide("{\"name\": \"a\", \"point\": [0,\"0\",0], \"normal\": [0,0,1]}"), {"(\"a\")", "\"point\"", "three numbers"});
+  expect(with_slide("{\"name\": \"a\", \"point\": [0,0,0,0], \"normal\": [0,0,1]}"),
+         {"(\"a\")", "\"point\"", "three numbers"});
+  expect(with_slide("{\"name\": \"a\", \"point\": [0,\"0\",0], \"normal\": [0,0,1]}"),
+         {"(\"a\")", "\"point\"", "three numbers"});
   expect(with_slide("{\"name\": \"a\", \"center\": [0,0,0], \"u\": [0,0,0]}"), {"(\"a\")", "no \"v\""});
-  expect(with_slide("{\"name\": \"a\", \"center\": [0,0,0], \"u\": null, \"v\": [0,0,0]}"), {"(\"a\")", "\"u\"", "three numbers"});
+  expect(with_slide("{\"name\": \"a\", \"center\": [0,0,0], \"u\": null, \"v\": [0,0,0]}"),
+         {"(\"a\")", "\"u\"", "three numbers"});
 }
 
 TEST(SlidesFile, WritesNoFileThatItWouldNotRead) {
   expect_file_error([] { slides_text("s.json", {{"", Slide::Stroke{}}}); }, {"s.json", "\"name\" is empty"});
-  expect_file_error([] { slides_text("s.json", {{"\xFF", Slide::Stroke{}}}); }, {"s.json", "cannot be written", "UTF-8"});
+  expect_file_error(
+      [] {
+        slides_text("s.json", {{"\xFF", Slide::Stroke{}}});
+      },
+      {"s.json", "cannot be written", "UTF-8"});
 }
 
 TEST(SlidesFile, NamesTheFileThatIsMissing) {

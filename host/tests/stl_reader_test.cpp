@@ -28,14 +28,16 @@ std::string binary(const TriangleMesh& mesh, std::string head = "") {
 }
 
 TEST(StlReader, ReadsAsciiAndWeldsCornersAtTheSamePosition) {
-  const TriangleMesh mesh = stl("solid two words\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 0", "1 1 0", "0 1 -0") +
-                                "endsolid two words\n");
+  const TriangleMesh mesh = stl("solid two words\n" + facet("0 0 0", "1 0 0", "0 1 0") +
+                                facet("1 0 0", "1 1 0", "0 1 -0") + "endsolid two words\n");
   EXPECT_EQ(mesh.vertex_count(), 4u);
   EXPECT_EQ(mesh.triangles, (Rows{0, 1, 2, 1, 3, 2}));
 }
 
 TEST(StlReader, DoesNotWeldWhatIsMerelyNear) {
-  EXPECT_EQ(stl("solid\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1e-300 0 0", "1 0 0", "0 1 0") + "endsolid\n").vertex_count(), 4u);
+  EXPECT_EQ(stl("solid\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1e-300 0 0", "1 0 0", "0 1 0") + "endsolid\n")
+                .vertex_count(),
+            4u);
 }
 
 TEST(StlReader, ReadsSeveralSolids) {
@@ -52,7 +54,9 @@ TEST(StlReader, ReadsBinaryEvenWhereItBeginsWithSolid) {
 }
 
 TEST(StlReader, KeepsDegenerateAndRepeatedTriangles) {
-  EXPECT_EQ(stl("solid\n" + facet("0 0 0", "0 0 0", "0 1 0") + facet("0 0 0", "0 0 0", "0 1 0") + "endsolid\n").triangle_count(), 2u);
+  EXPECT_EQ(stl("solid\n" + facet("0 0 0", "0 0 0", "0 1 0") + facet("0 0 0", "0 0 0", "0 1 0") + "endsolid\n")
+                .triangle_count(),
+            2u);
 }
 
 TEST(StlReader, NamesPlaceAndCulpritOfBadInput) {
@@ -62,7 +66,8 @@ TEST(StlReader, NamesPlaceAndCulpritOfBadInput) {
   };
   expect("hello", {"a.stl", "is not STL"});
   expect("solid\n" + facet("0 0 0", "1 0 0", "0 1 0"), {"a.stl", "endsolid"});
-  expect("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0\nvertex 1 1 1\n", {"line 6", "triangle 0", "vertex"});
+  expect("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0\nvertex 1 1 1\n",
+         {"line 6", "triangle 0", "vertex"});
   expect("solid\n" + facet("0 0 0", "1 nan 0", "0 1 0"), {"line 5", "triangle 0", "not finite"});
   expect("solid\nfacet normal 0 0 1\nouter loop\nendloop\n", {"line 4", "\"vertex\"", "\"endloop\""});
   expect("solid\nsurface\n", {"line 2", "surface"});

@@ -49,7 +49,8 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
            "Keep the corners of every section in the plane of its slide", "", default_refine.in_plane ? 1 : 0, 0, 1),
     number(CGW_PARAM_REAL, "refine.damping", "Damping",
            "Share of the trace of equation (8) that holds cage vertices back; more is slower and safer", "",
-           default_refine.damping, 0, 1),
+           default_refine.damping, 1e-9, 1),  // without any, equation (8) has no unique solution
+
     choice("enclose.mode", "Certificate", "Prove that the cage encloses the model; this version offers off only",
            enclose_names, enclose_off),
 };

@@ -2,9 +2,10 @@
 #include "plugin/src/solve.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
-#include <thread>
 
+#include "core/parallel/parallel_for.h"
 #include "plugin/src/abi_struct.h"
 #include "plugin/src/names.h"
 
@@ -64,7 +65,7 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
   auto results = std::make_unique<Results>();
   results->slide_ids = session.slides.ids();
   results->diagonal = model_of(session).diagonal;
-  results->threads = asked.threads > 0 ? asked.threads : std::max(1u, std::thread::hardware_concurrency());
+  results->threads = thread_count(asked.threads);
   try {
     results->made = run(session, options);
   } catch (const Error& error) {

@@ -3,9 +3,14 @@
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "plugin/tests/loaded_plugin.h"
 
@@ -47,6 +52,25 @@ TEST(AbiParameters, ListWhatTheCommandLineReliesOn) {
   const cgw_parameter& enclose = parameters.at("enclose.mode");
   ASSERT_EQ(enclose.choice_count, 2u);
   EXPECT_STREQ(enclose.choices[static_cast<int>(enclose.default_value)], "off");
+}
+
+TEST(AbiParameters, AreInTheReferenceWithTheirDefaults) {
+  std::ifstream file(CAGEWRIGHT_ROOT "/docs/c-abi.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  const char* const types[] = {"real", "integer", "boolean", "choice"};
+  for (const auto& [id, parameter] : all_parameters()) {
+    std::ostringstream row;
+    row << "| `" << id << "` | " << types[parameter.type] << " | ";
+    if (parameter.type == CGW_PARAM_CHOICE) {
+      row << parameter.choices[static_cast<int>(parameter.default_value)];
+    } else if (parameter.type == CGW_PARAM_BOOLEAN) {
+      row << (parameter.default_value == 0 ? "false" : "true");
+    } else {
+      row << parameter.default_value;
+    }
+    row << " |";
+    EXPECT_NE(page.find(row.str()), std::string::npos) << "docs/c-abi.md has no row " << row.str();
+  }
 }
 
 TEST(AbiParameters, DescribeThemselvesCompletely) {

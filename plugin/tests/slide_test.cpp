@@ -155,13 +155,14 @@ TEST(AbiSlides, OfBadStrokesAreRefused) {
   const std::vector<double> four = stroke_points(2, 4);
   expect_refused(stroke("short one", four), CGW_ERROR_STROKE_TOO_SHORT);
   expect_refused(stroke("empty one", {}), CGW_ERROR_STROKE_TOO_SHORT);
-  std::vector<double> line, parabola, holed = stroke_points(2, 20);
+  std::vector<double> line, zigzag, holed = stroke_points(2, 20);
   for (int k = 0; k < 10; ++k) {
     line.insert(line.end(), {2, 0.1 * k, 0.2 * k});
-    parabola.insert(parabola.end(), {2, 0.1 * k, 0.01 * k * k});
+    zigzag.insert(zigzag.end(), {2, 0.1 * k, 0.1 * (k % 2)});
   }
   holed[31] = std::numeric_limits<double>::quiet_NaN();
   expect_refused(stroke("straight one", line), CGW_ERROR_STROKE_COLLINEAR);
+  expect_refused(stroke("zigzag one", zigzag), CGW_ERROR_STROKE_NO_ELLIPSE);
   expect_refused(stroke("holed one", holed), CGW_ERROR_SLIDE_NOT_FINITE);
 }
 

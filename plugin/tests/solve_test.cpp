@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -136,13 +138,33 @@ TEST(AbiSolve, NamesTheSlidesThatGiveNoCage) {
   ring.point[1] = 0.05;
   expect_unsolvable(torus(), {ring}, CGW_ERROR_PART_SEES_SLIDE_TWICE);
 
-  cgw_slide_input other_side = plane("other side", -3, 0, 1);
-  other_side.point[1] = 0.05;
-  expect_unsolvable(torus(), {ring, other_side}, CGW_ERROR_PARTS_SHARE_WALL);
+  cgw_slide_input left = plane("left half", -3, 0, 1, -0.1), right = plane("right half", 3, 0, 1, 0.1);
+  left.point[1] = right.point[1] = 0.05;
+  expect_unsolvable(torus(), {left, right}, CGW_ERROR_PARTS_SHARE_WALL);
 
   cgw_slide_input tilted = ellipse("huge one", 3.5, 5);
   tilted.u[0] = 2;
   expect_unsolvable(capsule(), {ellipse("huge two", 3, 5), tilted}, CGW_ERROR_SECTIONS_OVERLAP);
+}
+
+// The paper's own rule of the outermost vertex, on a ring, and a long way to go: cage vertices fly.
+TEST(AbiSolve, NamesThePartWhereTheRefinementDiverges) {
+  const Session session(torus());
+  const char* const names[] = {"east", "north", "west", "south"};
+  for (int k = 0; k < 4; ++k) {
+    const double angle = k * std::numbers::pi / 2 + (k == 1 ? 0.52 : 0.02);
+    cgw_slide_input input = plane(names[k], 3 * std::cos(angle), -std::sin(angle), std::cos(angle), k % 2 ? 0.7 : -0.7);
+    input.point[1] = 3 * std::sin(angle);
+    add(session, input);
+  }
+  ASSERT_EQ(api().set_parameter_text(session, "refine.scope", "part"), CGW_OK);
+  ASSERT_EQ(api().set_parameter_text(session, "refine.in_plane", "false"), CGW_OK);
+  ASSERT_EQ(api().set_parameter(session, "refine.delta", 0.3), CGW_OK);
+  ASSERT_EQ(api().set_parameter(session, "refine.iterations", 1000), CGW_OK);
+  EXPECT_EQ(api().solve(session, nullptr), CGW_ERROR_REFINE_DIVERGED) << session.error();
+  const cgw_error_info error = session.error_info();
+  EXPECT_LT(error.part, 4u);
+  EXPECT_NE(session.error().find("'"), std::string::npos) << session.error();
 }
 
 TEST(AbiSolve, StopsAtTheStageAskedFor) {
