@@ -8,6 +8,7 @@ inline constexpr double touching_loops = 1e-9;     // loops nearer than this tou
 inline constexpr double collinear_stroke = 1e-6;   // second principal extent of a stroke over its first
 inline constexpr double degenerate_radius = 1e-9;  // shortest radius of a slide over the longest
 inline constexpr double largest_ellipse = 50;      // longest radius over the extent of the stroke that it fits
+inline constexpr double least_visibility = 1e-6;   // sine under which a part's centre has to see what bounds it
 inline constexpr double on_plane = 1e-9;  // a vertex this near to a slide's plane, as those of its loop, lies on it
 inline constexpr double smallest_anchor_distance = 1e-6;  // bounds the weights of (8)
 inline constexpr double convergence = 1e-3;               // equation (9)

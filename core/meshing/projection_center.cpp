@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error/error.h"
+#include "core/mesh/tolerance.h"
 #include "core/meshing/convex_hull.h"
 
 namespace cagewright {
@@ -91,8 +92,8 @@ Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Ei
   return point;
 }
 
-// Climbs from points in front of each bound, for parts where the climb from the mean ended at `otherwise`, a summit from
-// which it does not see them all.
+// Climbs from points in front of each bound, for parts where the climb from the mean ended at `otherwise`, a summit
+// from which it does not see them all.
 Vector3 climb_from_bounds(const Visibility& visibility, const Bounds& bounds, double reach,
                           const Eigen::Matrix3d& frame, const Vector3& otherwise) {
   Vector3 best = otherwise;
@@ -210,10 +211,10 @@ Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vec
   for (const Bound& bound : bounds.list)
     for (const Vector3& corner : bound.corners) reach = std::max(reach, (corner - bounds.mean()).norm());
   Vector3 center = climb(visible, bounds.mean(), reach / 2, frame);
-  if (visible(center) <= 0) center = climb_from_bounds(visible, bounds, reach, frame, center);
-  if (visible(center) > 0) {
+  if (visible(center) <= tolerance::least_visibility) center = climb_from_bounds(visible, bounds, reach, frame, center);
+  if (visible(center) > tolerance::least_visibility) {
     const Vector3 polished = polish(SmoothVisibility(bounds, visible.hull(), reach), center, reach);
-    return visible(polished) > 0 ? polished : center;
+    return visible(polished) > tolerance::least_visibility ? polished : center;
   }
 
   const auto [slide, other] = culprits(bounds, center);

@@ -17,7 +17,7 @@ struct RefineOptions {
   int iterations = 30;  // at most
   RefineScope scope = RefineScope::local;
   bool in_plane = false;  // section corners stay in their slides' planes
-  double damping = 0.01;  // Tikhonov term of (8), as a fraction of the trace of its matrix
+  double damping = 0.01;  // > 0: Tikhonov term of (8), as a fraction of the trace of its matrix
   double push = 8;        // weight in (8) of triangles that still have to move (7a) over the others; 1: the paper
   unsigned threads = 0;   // 0: all. The result is the same bits for any number.
 };

@@ -125,8 +125,8 @@ Segmentation segment(const Model& model, const std::vector<Slide>& slides, const
   const HalfEdgeMesh& mesh = cut.mesh();
   result.cut = to_indexed_mesh(mesh);
 
-  int count = 0;
-  const std::vector<int> component = flood(cut, count);
+  int count = 1;  // without any slide the whole model is one part, whatever it consists of
+  const std::vector<int> component = slides.empty() ? std::vector<int>(mesh.n_faces(), 0) : flood(cut, count);
   const auto component_of = [&](HalfedgeHandle h) {
     return component[static_cast<std::size_t>(mesh.face_handle(h).idx())];
   };

@@ -18,7 +18,7 @@ struct PartSection {
 
 // A connected piece of the model between slides (paper 3.1).
 struct Part {
-  std::vector<PartSection> sections;  // by slide index; none: a whole component that no slide cuts
+  std::vector<PartSection> sections;  // by slide index; none: a component that no slide cuts
   std::vector<int> vertices;          // rows of Segmentation::cut.points, ascending; loop vertices belong to both sides
   bool enclosed = false;              // a whole component that lies inside another: it needs no cage of its own
 };
@@ -36,7 +36,7 @@ struct Segmentation {
 using Progress = std::function<bool(double)>;
 
 // Cuts the model along the loops of the slides (paper 3.1, but triangles are split along the plane, not dropped, and
-// only the loop that encloses the slide's centre is cut).
+// only the loop that encloses the slide's centre is cut). Without slides the whole model is one part.
 // Throws Error: those of place_slide; slides_touch (both slides and the place), part_sees_slide_twice; cancelled.
 // Thread-safe. O(slides * n).
 Segmentation segment(const Model& model, const std::vector<Slide>& slides, const Progress& progress = {});

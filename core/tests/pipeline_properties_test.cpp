@@ -5,6 +5,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/tests/cage_checks.h"
+#include "core/tests/expect_error.h"
 #include "core/tests/meshes.h"
 #include "core/tests/shapes.h"
 
@@ -79,6 +80,28 @@ TEST(Pipeline, MovesTheCageWithModelAndSlidesForOtherOptions) {
     expect_moves_along(body.name, body.mesh, body.slides, options);
 }
 
+// Where the axis-aligned box turns with the model, nothing has to be held fixed.
+TEST(Pipeline, MovesTheCageThroughQuarterTurnsTranslationsAndScales) {
+  Eigen::Matrix3d cycle;
+  cycle << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  Eigen::Matrix3d quarter;
+  quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  for (const SlidBody& body : {shapes::figure(), shapes::handle_body()})
+    for (const double delta : {0.0, 0.01}) {
+      PipelineOptions options;
+      options.refine.delta = delta;
+      const PipelineResult here = cage_of(body.mesh, body.slides, options);
+      for (const Motion& motion : {Motion{1, cycle, {1, 2, 3}}, Motion{1e-4, quarter, {0, 0, 0}},
+                                   Motion{1e6, cycle * quarter, {1e6, 0, -2e6}}}) {
+        SCOPED_TRACE(body.name + ", scale " + std::to_string(motion.scale));
+        const PipelineResult there =
+            cage_of(shapes::moved(body.mesh, motion), shapes::moved(body.slides, motion), options);
+        checks::expect_same_cage(*here.cage, *there.cage, 1e-8 * motion.scale, motion);
+        EXPECT_NEAR(*here.volume_ratio, *there.volume_ratio, 1e-8);
+      }
+    }
+}
+
 TEST(Pipeline, GivesTheSameBitsForAnyNumberOfThreads) {
   const SlidBody body = shapes::figure();
   for (const RefineScope scope : {RefineScope::local, RefineScope::part}) {
@@ -114,6 +137,51 @@ TEST(Pipeline, KeepsPartsAndCageWhereVerticesAndTrianglesAreShuffled) {
         EXPECT_EQ(one.segmentation.parts[p].vertices.size(), other.segmentation.parts[p].vertices.size());
       checks::expect_same_cage(*one.cage, *other.cage, 1e-9 * model.diagonal);
     }
+  }
+}
+
+TEST(Pipeline, StopsAfterTheStageAskedFor) {
+  const SlidBody body = shapes::fork(1);
+  const Model model = prepare_model(body.mesh);
+  for (const Stage stage : {Stage::segment, Stage::orient, Stage::meshing, Stage::refine}) {
+    PipelineOptions options;
+    options.last_stage = stage;
+    const PipelineResult result = make_cage(model, body.slides, options);
+    EXPECT_EQ(result.last_stage, stage);
+    EXPECT_EQ(result.segmentation.parts.size(), 4u);
+    EXPECT_EQ(result.sections.size(), stage >= Stage::orient ? 3u : 0u);
+    EXPECT_EQ(result.cage.has_value(), stage >= Stage::meshing);
+    EXPECT_EQ(result.volume_ratio.has_value(), stage >= Stage::meshing);
+    EXPECT_EQ(result.refinement.has_value(), stage == Stage::refine);
+    if (result.refinement) {
+      EXPECT_EQ(result.cage->points, result.refinement->cage.points);
+      EXPECT_NEAR(*result.volume_ratio,
+                  checks::volume_of({result.cage->points, result.cage->triangles}) / checks::volume_of(body.mesh), 1e-10);
+    }
+  }
+}
+
+TEST(Pipeline, TellsProgressThatNeverFallsAndStopsAtAnyCall) {
+  const SlidBody body = shapes::figure();
+  const Model model = prepare_model(body.mesh);
+  double last = 0;
+  Stage last_stage = Stage::segment;
+  int calls = 0;
+  make_cage(model, body.slides, {}, [&](double fraction, Stage stage) {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    EXPECT_GE(stage, last_stage);
+    last = fraction;
+    last_stage = stage;
+    ++calls;
+    return true;
+  });
+  EXPECT_GT(calls, static_cast<int>(body.slides.size()) + 4);
+  for (int stop = 1; stop <= calls; ++stop) {
+    int count = 0;
+    expect_error([&] { make_cage(model, body.slides, {}, [&](double, Stage) { return ++count < stop; }); },
+                 ErrorCode::cancelled, {"cancelled"});
+    EXPECT_EQ(count, stop);
   }
 }
 

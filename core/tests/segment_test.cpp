@@ -212,9 +212,19 @@ TEST(Segment, MarksWhatLiesInsideAsEnclosedAndNothingElse) {
     const bool is_ball = s.cut.points(part.vertices[0], 1) < 0.3 && part.sections.empty();
     EXPECT_EQ(part.enclosed, is_ball);
   }
-  const Segmentation hollow = segment(prepare_model(meshes::hollow_sphere(2)), {});
-  ASSERT_EQ(hollow.parts.size(), 2u);
-  EXPECT_NE(hollow.parts[0].enclosed, hollow.parts[1].enclosed);
+  const Slide equator{"equator", PointNormalDefinition{Vector3::Zero(), Vector3(0.1, 0.2, 1)}};
+  const Segmentation hollow = segment(prepare_model(meshes::hollow_sphere(2)), {equator});
+  ASSERT_EQ(hollow.parts.size(), 3u);
+  EXPECT_FALSE(hollow.parts[0].enclosed);
+  EXPECT_FALSE(hollow.parts[1].enclosed);
+  EXPECT_TRUE(hollow.parts[2].enclosed);
+}
+
+TEST(Segment, TakesTheWholeModelForOnePartWhereThereIsNoSlide) {
+  const Segmentation s = segment(prepare_model(meshes::hollow_sphere(2)), {});
+  ASSERT_EQ(s.parts.size(), 1u);
+  EXPECT_FALSE(s.parts[0].enclosed);
+  EXPECT_EQ(s.parts[0].vertices.size(), static_cast<std::size_t>(s.cut.points.rows()));
 }
 
 TEST(Segment, StopsWhenProgressSaysSo) {

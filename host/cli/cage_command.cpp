@@ -124,7 +124,7 @@ class CageRun {
     throw InputError(name + ": " + error.what());
   }
 
-  void fill(Session& session) const {
+  void fill(Session& session) {
     for (const auto& [id, value] : command_.parameters) {
       try {
         session.set_parameter(id, value);
@@ -134,7 +134,9 @@ class CageRun {
       }
     }
     try {
+      const Stopwatch preparing;
       session.set_mesh(model_);
+      prepare_ms_ = preparing.milliseconds();
       for (const Slide& slide : slides_) session.add_slide(slide);
     } catch (const PluginError& error) {
       rethrow(error);
@@ -173,6 +175,7 @@ class CageRun {
     if (command_.out) outputs.add(*command_.out, mesh_bytes(cage, *command_.out));
     if (command_.picture) outputs.add(*command_.picture, picture(session, cage));
     report.timings_ms.read = read_ms_;
+    report.timings_ms.prepare = prepare_ms_;
     report.timings_ms.write = writing.milliseconds();
     report.timings_ms.total = total_.milliseconds();
     report.peak_memory_mb = peak_memory_mb();
@@ -199,7 +202,7 @@ class CageRun {
   std::shared_ptr<const Plugin> plugin_;
   TriangleMesh model_;
   std::vector<Slide> slides_;
-  double read_ms_ = 0;
+  double read_ms_ = 0, prepare_ms_ = 0;
 };
 
 }  // namespace

@@ -46,10 +46,11 @@ Json to_json(const Report::Certificate& certificate) {
 }
 
 Json to_json(const Report::Timings& timings) {
-  return {{"read", or_null(timings.read)},     {"segment", or_null(timings.segment)},
-          {"orient", or_null(timings.orient)}, {"meshing", or_null(timings.meshing)},
-          {"refine", or_null(timings.refine)}, {"enclose", or_null(timings.enclose)},
-          {"write", or_null(timings.write)},   {"total", or_null(timings.total)}};
+  return {{"read", or_null(timings.read)},       {"prepare", or_null(timings.prepare)},
+          {"segment", or_null(timings.segment)}, {"orient", or_null(timings.orient)},
+          {"meshing", or_null(timings.meshing)}, {"refine", or_null(timings.refine)},
+          {"enclose", or_null(timings.enclose)}, {"write", or_null(timings.write)},
+          {"total", or_null(timings.total)}};
 }
 
 Json to_json(const std::vector<std::pair<std::string, Report::Option>>& options) {

@@ -42,7 +42,7 @@ struct Report {
     std::optional<double> volume_ratio, mean_gap_over_diagonal, max_gap_over_diagonal;
   };
   struct Timings {  // milliseconds
-    std::optional<double> read, segment, orient, meshing, refine, enclose, write, total;
+    std::optional<double> read, prepare, segment, orient, meshing, refine, enclose, write, total;
   };
   using Option = std::variant<bool, std::int64_t, double, std::string>;
 

@@ -34,7 +34,7 @@ TEST(ReportFile, HasExactlyTheDocumentedKeys) {
   EXPECT_EQ(keys(j["tightness"]),
             (std::set<std::string>{"volume_ratio", "mean_gap_over_diagonal", "max_gap_over_diagonal"}));
   EXPECT_EQ(keys(j["timings_ms"]),
-            (std::set<std::string>{"read", "segment", "orient", "meshing", "refine", "enclose", "write", "total"}));
+            (std::set<std::string>{"read", "prepare", "segment", "orient", "meshing", "refine", "enclose", "write", "total"}));
 }
 
 TEST(ReportFile, WritesNullForWhatNobodyComputed) {

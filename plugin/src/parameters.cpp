@@ -12,7 +12,17 @@ namespace cagewright::plugin {
 
 namespace {
 
-enum Index : std::size_t { lambda, delta, iterations, editing_iterations, scope, in_plane, damping, enclose_mode };
+enum Index : std::size_t {
+  lambda,
+  delta,
+  iterations,
+  editing_iterations,
+  scope,
+  in_plane,
+  damping,
+  push,
+  enclose_mode
+};
 
 constexpr double default_lambda = PipelineOptions{}.lambda;
 constexpr RefineOptions default_refine{};
@@ -50,7 +60,9 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
     number(CGW_PARAM_REAL, "refine.damping", "Damping",
            "Share of the trace of equation (8) that holds cage vertices back; more is slower and safer", "",
            default_refine.damping, 1e-9, 1),  // without any, equation (8) has no unique solution
-
+    number(CGW_PARAM_REAL, "refine.push", "Push",
+           "Weight in equation (8) of triangles that still have to move over those that bound; 1 is the paper", "",
+           default_refine.push, 1, 1e6),
     choice("enclose.mode", "Certificate", "Prove that the cage encloses the model; this version offers off only",
            enclose_names, enclose_off),
 };
@@ -155,6 +167,7 @@ PipelineOptions Parameters::options(bool editing) const {
   options.refine.scope = static_cast<RefineScope>(static_cast<int>(values_[scope]));
   options.refine.in_plane = values_[in_plane] != 0;
   options.refine.damping = values_[damping];
+  options.refine.push = values_[push];
   return options;
 }
 

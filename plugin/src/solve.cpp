@@ -2,7 +2,6 @@
 #include "plugin/src/solve.h"
 
 #include <algorithm>
-#include <functional>
 #include <string>
 
 #include "core/parallel/parallel_for.h"
@@ -27,31 +26,13 @@ cgw_solve_options checked(const cgw_solve_options* given) {
   return options;
 }
 
-// Tells the host, and remembers that it asked to stop.
-class HostProgress {
- public:
-  explicit HostProgress(const cgw_host& host) : host_(host) {}
-
-  bool operator()(double fraction, Stage stage) {
-    if (!host_.progress || cancelled_) return !cancelled_;
-    told_ = std::max(told_, std::min(fraction, 1.0));
-    cancelled_ = host_.progress(host_.user, told_, stage_name(static_cast<std::int32_t>(stage))) != 0;
-    return !cancelled_;
-  }
-
-  bool cancelled() const { return cancelled_; }
-
- private:
-  const cgw_host& host_;
-  double told_ = 0;  // never falls, whatever the stages report
-  bool cancelled_ = false;
-};
-
-PipelineResult run(const cgw_session& session, const PipelineOptions& options) {
-  HostProgress progress(session.host);
-  PipelineResult made = make_cage(model_of(session), session.slides.definitions(), options, std::ref(progress));
-  if (progress.cancelled()) throw Error(ErrorCode::cancelled, "the host cancelled the solve");
-  return made;
+// Tells the host, which cancels by returning nonzero. The fraction never falls, whatever the stages report.
+StageProgress progress_of(const cgw_host& host) {
+  if (!host.progress) return {};
+  return [&host, told = 0.0](double fraction, Stage stage) mutable {
+    told = std::max(told, std::min(fraction, 1.0));
+    return host.progress(host.user, told, stage_name(static_cast<std::int32_t>(stage))) == 0;
+  };
 }
 
 }  // namespace
@@ -67,7 +48,7 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
   results->diagonal = model_of(session).diagonal;
   results->threads = thread_count(asked.threads);
   try {
-    results->made = run(session, options);
+    results->made = make_cage(model_of(session), session.slides.definitions(), options, progress_of(session.host));
   } catch (const Error& error) {
     const AbiError translated = to_abi_error(error, results->slide_ids);
     if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);

@@ -45,6 +45,7 @@ TEST(AbiParameters, ListWhatTheCommandLineReliesOn) {
   EXPECT_EQ(parameters.at("refine.editing_iterations").default_value, 10);
   EXPECT_EQ(parameters.at("refine.in_plane").type, CGW_PARAM_BOOLEAN);
   EXPECT_EQ(parameters.at("refine.damping").type, CGW_PARAM_REAL);
+  EXPECT_EQ(parameters.at("refine.push").default_value, 8);
   const cgw_parameter& scope = parameters.at("refine.scope");
   ASSERT_EQ(scope.choice_count, 2u);
   EXPECT_STREQ(scope.choices[0], "local");

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/pipeline/pipeline.h"
+#include "core/tests/cage_checks.h"
+#include "core/tests/meshes.h"
+#include "core/tests/shapes.h"
+
+// The properties of the pipeline on models of tens of thousands of triangles. CAGEWRIGHT_MODEL_FOLDERS (own, real) and
+// CAGEWRIGHT_SLIDE_FILES come from CMake; a model that is in none of the folders is skipped.
+namespace cagewright {
+namespace {
+
+std::optional<IndexedMesh> read_off(const std::string& name) {
+  for (const std::string folder : {CAGEWRIGHT_MODEL_FOLDERS}) {
+    for (const std::string inner : {"", "meshes/"}) {
+      std::ifstream file(folder + "/" + inner + name + ".off");
+      std::string magic;
+      Eigen::Index points = 0, triangles = 0, edges = 0;
+      if (folder.empty() || !(file >> magic >> points >> triangles >> edges)) continue;
+      IndexedMesh mesh{Points(points, 3), Triangles(triangles, 3)};
+      for (Eigen::Index i = 0; i < mesh.points.size(); ++i) file >> mesh.points.data()[i];
+      for (Eigen::Index t = 0; t < triangles; ++t)
+        file >> edges >> mesh.triangles(t, 0) >> mesh.triangles(t, 1) >> mesh.triangles(t, 2);
+      if (!file) throw std::runtime_error(name + ".off ends early");
+      return mesh;
+    }
+  }
+  return {};
+}
+
+Vector3 vector(const nlohmann::json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+std::vector<Slide> read_slides(const std::string& name) {
+  std::ifstream file(CAGEWRIGHT_SLIDE_FILES "/" + name + ".slides.json");
+  std::vector<Slide> slides;
+  const nlohmann::json document = nlohmann::json::parse(file);
+  for (const nlohmann::json& json : document.at("slides")) {
+    Slide slide{json.at("name"), {}};
+    if (json.contains("stroke")) {
+      Points points(static_cast<Eigen::Index>(json["stroke"].size()), 3);
+      for (std::size_t i = 0; i < json["stroke"].size(); ++i)
+        points.row(static_cast<Eigen::Index>(i)) = vector(json["stroke"][i]).transpose();
+      slide.definition = StrokeDefinition{points};
+    } else if (json.contains("point")) {
+      slide.definition = PointNormalDefinition{vector(json["point"]), vector(json["normal"])};
+    } else {
+      slide.definition = EllipseDefinition{vector(json["center"]), vector(json["u"]), vector(json["v"])};
+    }
+    slides.push_back(slide);
+  }
+  return slides;
+}
+
+class PipelineOnModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(PipelineOnModel, MakesAClosedConvergedCageThatMovesWithIt) {
+  const auto mesh = read_off(GetParam());
+  if (!mesh) GTEST_SKIP() << GetParam() << ".off is in no model folder (see testdata/README.md)";
+  const std::vector<Slide> slides = read_slides(GetParam());
+  const Model model = prepare_model(*mesh);
+  const PipelineResult here = make_cage(model, slides, {});
+  checks::expect_closed_manifold(here.cage->points, here.cage->triangles, checks::genus_of_slides(here.segmentation));
+  EXPECT_EQ(checks::genus_of_slides(here.segmentation), *model.report.genus);
+  EXPECT_TRUE(here.refinement->converged);
+
+  const shapes::Motion motion = shapes::random_motion(1, 0.01, 3);
+  Model moved = prepare_model(shapes::moved(*mesh, motion));
+  moved.diagonal = motion.scale * model.diagonal;  // that of an axis-aligned box: it alone does not turn with the model
+  const PipelineResult there = make_cage(moved, shapes::moved(slides, motion), {});
+  checks::expect_same_cage(*here.cage, *there.cage, 1e-6 * moved.diagonal, motion);
+
+  const PipelineResult shuffled = make_cage(prepare_model(meshes::shuffled(*mesh, 1)), slides, {});
+  EXPECT_EQ(here.segmentation.slide_parts, shuffled.segmentation.slide_parts);
+  checks::expect_same_cage(*here.cage, *shuffled.cage, 1e-9 * model.diagonal);
+
+  PipelineOptions three;
+  three.refine.threads = 3;
+  EXPECT_EQ(make_cage(model, slides, three).cage->points, here.cage->points);
+}
+
+INSTANTIATE_TEST_SUITE_P(Own, PipelineOnModel, testing::Values("biped", "quadruped", "octopus", "genus3", "blob"));
+INSTANTIATE_TEST_SUITE_P(Real, PipelineOnModel, testing::Values("armadillo", "elk", "man", "bunny00", "elephant"));
+
+}  // namespace
+}  // namespace cagewright
