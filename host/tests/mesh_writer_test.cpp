@@ -60,9 +60,17 @@ TEST(MeshWriter, GlbHasWholeChunksAndTheExactBoundsOfItsPositions) {
   EXPECT_EQ(json["asset"]["version"], "2.0");
 }
 
-TEST(MeshWriter, GlbOfManyVerticesUsesLongIndices) {
-  TriangleMesh mesh{std::vector<double>(3 * 65536, 1.5), {0, 1, 65535}};
-  EXPECT_EQ(read_gltf("a.glb", mesh_bytes(mesh, "a.glb")).mesh.triangles, mesh.triangles);
+// 65535 is no index of 16 bits: glTF keeps it for the restart of strips.
+TEST(MeshWriter, GlbUsesLongIndicesWhereShortOnesDoNotReach) {
+  for (const std::size_t vertices : {65535u, 65536u}) {
+    const auto last = static_cast<std::uint32_t>(vertices - 1);
+    const TriangleMesh mesh{std::vector<double>(3 * vertices, 1.5), {0, 1, last}};
+    const std::string file = mesh_bytes(mesh, "a.glb");
+    EXPECT_EQ(read_gltf("a.glb", file).mesh.triangles, mesh.triangles);
+    const auto json =
+        nlohmann::json::parse(file.substr(20, load<std::uint32_t>(file.data() + 12, std::endian::little)));
+    EXPECT_EQ(json["accessors"][1]["componentType"], vertices == 65535 ? 5123 : 5125);
+  }
 }
 
 TEST(MeshWriter, ForgetsNoDigitInAnyLocale) {

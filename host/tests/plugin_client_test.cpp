@@ -40,17 +40,6 @@ TEST(FindPlugin, TakesWhatIsAskedForThenTheEnvironment) {
   EXPECT_EQ(find_plugin({}), "/from/environment.so");
 }
 
-TEST(FindPlugin, LooksBesideTheProgram) {
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cagewright_plugin.so";
-  if (std::filesystem::exists(beside)) {
-    EXPECT_EQ(find_plugin({}), beside);
-    return;
-  }
-  std::filesystem::create_symlink(FAKE_PLUGIN, beside);
-  EXPECT_EQ(find_plugin({}), beside);
-  std::filesystem::remove(beside);
-}
-
 TEST(Plugin, IsUnloadedWithItsLastOwner) {
   std::shared_ptr<const Plugin> plugin = fake();
   auto session = std::make_unique<Session>(plugin, SessionListener{});

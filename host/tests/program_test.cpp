@@ -213,6 +213,22 @@ TEST_F(ProgramTest, CheckExitsWith3ForBadInput) {
   expect_failure(run_program({"check", at("m.off"), at("none.obj")}), 3, {"none.obj", "no such file"});
 }
 
+TEST_F(ProgramTest, FindsThePluginBesideItselfAndInTheLibraryFolder) {
+  const std::string program = at("prefix/bin/cagewright");
+  std::filesystem::create_directories(at("prefix/bin"));
+  std::filesystem::create_directories(at("prefix/lib/cagewright"));
+  std::filesystem::copy_file(PROGRAM, program);
+  const auto params = [&] { return run_program({"params"}, {{"CAGEWRIGHT_PLUGIN", ""}}, program); };
+  for (const std::string place : {"prefix/bin", "prefix/lib/cagewright"}) {
+    const std::string plugin = at(place + "/cagewright_plugin.so");
+    std::filesystem::copy_file(FAKE_PLUGIN, plugin);
+    const ProgramRun run = params();
+    EXPECT_EQ(run.exit_code, 0) << place << ": " << run.errors;
+    EXPECT_NE(run.output.find("Weight of alignment."), std::string::npos) << place;
+    std::filesystem::remove(plugin);
+  }
+}
+
 TEST_F(ProgramTest, ParamsListsThePluginsParameters) {
   const ProgramRun table = run_program({"params"});
   EXPECT_EQ(table.exit_code, 0);

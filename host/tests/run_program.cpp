@@ -52,20 +52,21 @@ bool read_some(int pipe, std::string& to) {
 
 }  // namespace
 
-Program::Program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment) {
+Program::Program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment,
+                 const std::string& program) {
   std::array<int, 2> output{}, errors{};
   if (::pipe2(output.data(), O_CLOEXEC) != 0 || ::pipe2(errors.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("no pipes");
   }
-  std::vector<std::string> command = {PROGRAM};
+  std::vector<std::string> command = {program};
   command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = with_environment(environment);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
-  const int failure =
-      ::posix_spawn(&process_, PROGRAM, &actions, nullptr, pointers(command).data(), pointers(variables).data());
+  const int failure = ::posix_spawn(&process_, program.c_str(), &actions, nullptr, pointers(command).data(),
+                                    pointers(variables).data());
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(output[1]);
   ::close(errors[1]);
@@ -103,9 +104,9 @@ ProgramRun Program::finish() {
   return run_;
 }
 
-ProgramRun run_program(const std::vector<std::string>& arguments,
-                       const std::map<std::string, std::string>& environment) {
-  return Program(arguments, environment).finish();
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment,
+                       const std::string& program) {
+  return Program(arguments, environment, program).finish();
 }
 
 }  // namespace cagewright::host

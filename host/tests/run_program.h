@@ -16,11 +16,11 @@ struct ProgramRun {
 };
 
 // The program `cagewright` as a process of its own, with stdout and stderr in pipes. The fake plug-in is in
-// CAGEWRIGHT_PLUGIN, DISPLAY is not set; `environment` comes on top, "" unsets.
+// CAGEWRIGHT_PLUGIN, DISPLAY is not set; `environment` comes on top, "" unsets. `program` may be a copy elsewhere.
 class Program {
  public:
   explicit Program(const std::vector<std::string>& arguments,
-                   const std::map<std::string, std::string>& environment = {});
+                   const std::map<std::string, std::string>& environment = {}, const std::string& program = PROGRAM);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -37,7 +37,8 @@ class Program {
 };
 
 ProgramRun run_program(const std::vector<std::string>& arguments,
-                       const std::map<std::string, std::string>& environment = {});
+                       const std::map<std::string, std::string>& environment = {},
+                       const std::string& program = PROGRAM);
 
 }  // namespace cagewright::host
 
