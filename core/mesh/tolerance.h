@@ -4,10 +4,16 @@
 // Every tolerance of the core, in one place. Lengths are relative to the diagonal of the model's bounding box.
 namespace cagewright::tolerance {
 
+inline constexpr double tie = 1e-9;                // two choices this near to equal: a fixed rule decides, not rounding
 inline constexpr double touching_loops = 1e-9;     // loops nearer than this touch
 inline constexpr double collinear_stroke = 1e-6;   // second principal extent of a stroke over its first
-inline constexpr double degenerate_radius = 1e-9;  // shortest radius of a slide over the longest
+inline constexpr double degenerate_radius = 1e-6;  // shortest radius of a slide over the longest
 inline constexpr double largest_ellipse = 50;      // longest radius over the extent of the stroke that it fits
+inline constexpr double tie_break_weight = 1e-10;  // holds an unoriented slide to its u; over the heaviest of (1)
+inline constexpr double nearest_centers = 1e-3;    // slides nearer than this to their size weigh no more in (4a)
+inline constexpr double round_loop = 1e-6;         // radii this near to equal give no direction
+inline constexpr double least_thickness = 1e-3;    // of a box round a flat part, over its diagonal
+inline constexpr double least_facing = 0.02;       // sine under which a centre sees a cage triangle, kept by refinement
 inline constexpr double least_visibility = 1e-6;   // sine under which a part's centre has to see what bounds it
 inline constexpr double on_plane = 1e-9;  // a vertex this near to a slide's plane, as those of its loop, lies on it
 inline constexpr double smallest_anchor_distance = 1e-6;  // bounds the weights of (8)

@@ -17,7 +17,7 @@ struct Bound {
   int slide;        // index, or -1: a cap
 };
 
-// Where a part's bounds are, in a frame that moves with the model.
+// All that bounds a part.
 struct Bounds {
   std::vector<Bound> list;
   Vector3 mean() const {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/mesh/tolerance.h"
+
 namespace cagewright {
 namespace {
 
@@ -39,6 +41,9 @@ std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const Sect
 std::array<Vector3, 8> box_of(const Points& points, const Part& part) {
   Eigen::AlignedBox3d box;
   for (int v : part.vertices) box.extend(Vector3(points.row(v)));
+  const Vector3 missing = Vector3::Constant(tolerance::least_thickness * box.diagonal().norm()) - box.sizes();
+  box.min() -= missing.cwiseMax(0) / 2;
+  box.max() += missing.cwiseMax(0) / 2;
   std::array<Vector3, 8> corners;
   for (int i = 0; i < 8; ++i)
     corners[static_cast<std::size_t>(i)] = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));

@@ -13,8 +13,8 @@ namespace cagewright {
 // the section. `into` is the unit direction from the section into the part. O(part).
 std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const SectionFrame& section, const Vector3& into);
 
-// The axis-aligned bounding box of a part that no slide bounds. Corner i has the upper x, y, z where bit 0, 1, 2 of i
-// is set. O(part).
+// The axis-aligned bounding box of a part that no slide bounds, thickened where the part is flat. Corner i has the
+// upper x, y, z where bit 0, 1, 2 of i is set. O(part).
 std::array<Vector3, 8> box_of(const Points& points, const Part& part);
 
 // The 12 triangles of box_of's corners, outward.

@@ -15,7 +15,7 @@ namespace {
 // Owns Qhull's state, and the stream that Qhull insists on writing its complaints to.
 class Qhull {
  public:
-  Qhull() : complaints_(std::tmpfile(), &std::fclose) { qh_zero(&state_, complaints_.get()); }
+  Qhull() : complaints_(std::fopen("/dev/null", "w"), &std::fclose) { qh_zero(&state_, complaints_.get()); }
   ~Qhull() {
     qh_freeqhull(&state_, !qh_ALL);
     int blocks = 0, bytes = 0;

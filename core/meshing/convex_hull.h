@@ -15,7 +15,8 @@ struct ConvexHull {
 };
 
 // The hull by Qhull, joggled so that it is simplicial and every extreme point is a vertex even where four or more
-// points are coplanar. Deterministic. Empty where the points have no volume. Thread-safe. O(n log n).
+// points are coplanar. Deterministic. Where the points are flat, a hull of the joggled points without
+// volume to speak of; empty where Qhull gives up, as on fewer than 4 points. Thread-safe. O(n log n).
 ConvexHull convex_hull(const std::vector<Vector3>& points);
 
 }  // namespace cagewright

@@ -86,8 +86,13 @@ void settle_ties(SphericalTriangulation& t, const Smoothness& smoothness) {
 void smooth_by_flips(SphericalTriangulation& triangulation, const std::set<Edge>& section_edges,
                      const SectionNormals& normals) {
   const Smoothness smoothness(triangulation, section_edges, normals);
-  while (const auto flip = best_flip(triangulation, smoothness))
+  // Every flip lessens the sum of angles; but that of needles is rounding, so the number of flips is bounded too.
+  const std::size_t corners = triangulation.points().size();
+  for (std::size_t flips = 0; flips < corners * corners; ++flips) {
+    const auto flip = best_flip(triangulation, smoothness);
+    if (!flip) break;
     triangulation.flip(flip->edge.first, flip->edge.second);
+  }
   settle_ties(triangulation, smoothness);
 }
 

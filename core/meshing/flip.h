@@ -17,7 +17,7 @@ struct SectionNormals {
 // The paper's edge flips (3.3, figure 8): flips an edge where that lessens the sum of the angles between the normals of
 // neighbouring triangles, the best flip first, until none does; never one of `section_edges`. A triangle that fills a
 // section counts with the section's outward normal. Every flip keeps the triangles in front of the centre.
-// O(flips * points).
+// At most points^2 flips.
 void smooth_by_flips(SphericalTriangulation& triangulation, const std::set<Edge>& section_edges,
                      const SectionNormals& normals);
 

@@ -28,6 +28,21 @@ double separation(const Cone& cone, const Cone& other) {
   return best;
 }
 
+double gap_between(const Cone& one, const Cone& two) { return std::max(separation(one, two), separation(two, one)); }
+
+Cone cone_of(const Bound& bound, const Vector3& center) {
+  Cone cone;
+  for (std::size_t i = 0; i < 4; ++i) cone[i] = (bound.corners[i] - center).stableNormalized();
+  return cone;
+}
+
+// The least sine at which the centre sees a corner above the bound's plane; negative from behind.
+double facing(const Bound& bound, const Vector3& center) {
+  double least = 1;
+  for (const Vector3& direction : cone_of(bound, center)) least = std::min(least, bound.outward.dot(direction));
+  return least;
+}
+
 class Visibility {
  public:
   explicit Visibility(const Bounds& bounds) : bounds_(bounds) {
@@ -40,17 +55,12 @@ class Visibility {
     double worst = inside_hull(center);
     std::vector<Cone> cones;
     for (const Bound& bound : bounds_.list) {
-      Cone cone;
-      for (std::size_t i = 0; i < 4; ++i) {
-        cone[i] = (bound.corners[i] - center).stableNormalized();
-        worst = std::min(worst, bound.outward.dot(cone[i]));
-      }
-      cones.push_back(cone);
+      worst = std::min(worst, facing(bound, center));
+      cones.push_back(cone_of(bound, center));
     }
     if (worst <= 0) return worst;  // cones seen from behind have no inside
     for (std::size_t i = 0; i < cones.size(); ++i)
-      for (std::size_t j = i + 1; j < cones.size(); ++j)
-        worst = std::min(worst, std::max(separation(cones[i], cones[j]), separation(cones[j], cones[i])));
+      for (std::size_t j = i + 1; j < cones.size(); ++j) worst = std::min(worst, gap_between(cones[i], cones[j]));
     return worst;
   }
 
@@ -179,21 +189,35 @@ std::string listed(const Bounds& bounds, const std::vector<std::string>& names) 
   return text;
 }
 
-// The two bounds that are nearest to overlapping as seen from `center`, or the one whose plane has it behind.
-std::pair<int, int> culprits(const Bounds& bounds, const Vector3& center) {
-  std::pair<int, int> worst{bounds.list.front().slide, -1};
-  double least = std::numeric_limits<double>::infinity();
+// What is most wrong with the view from `center`: a bound seen from behind, else the two that overlap most, else that
+// the corners do not surround it (both -1).
+struct Culprits {
+  int slide = -1, other = -1;
+  std::string fault = "its sections do not surround it";
+};
+Culprits culprits_of(const Bounds& bounds, const Vector3& center, const std::vector<std::string>& names) {
+  const auto name = [&](int slide) {
+    return slide < 0 ? std::string("the cap") : "'" + names[static_cast<std::size_t>(slide)] + "'";
+  };
+  Culprits found;
+  double worst = 0;
+  for (const Bound& bound : bounds.list) {
+    if (facing(bound, center) > worst) continue;
+    worst = facing(bound, center);
+    found = {bound.slide, -1, "it sees " + name(bound.slide) + " from behind"};
+  }
+  if (worst < 0) return found;
   for (std::size_t i = 0; i < bounds.list.size(); ++i)
     for (std::size_t j = i + 1; j < bounds.list.size(); ++j) {
-      Bounds pair;
-      pair.list = {bounds.list[i], bounds.list[j]};
-      const double value = visibility(pair, center);
-      if (value >= least) continue;
-      least = value;
-      worst = {bounds.list[i].slide, bounds.list[j].slide};
+      const Bound& one = bounds.list[i];
+      const Bound& two = bounds.list[j];
+      const double gap = gap_between(cone_of(one, center), cone_of(two, center));
+      if (gap >= worst) continue;
+      worst = gap;
+      found = {one.slide, two.slide, name(one.slide) + " and " + name(two.slide) + " overlap"};
     }
-  if (worst.first < 0) std::swap(worst.first, worst.second);
-  return worst;
+  if (found.slide < 0) std::swap(found.slide, found.other);
+  return found;
 }
 
 }  // namespace
@@ -217,18 +241,16 @@ Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vec
     return visible(polished) > tolerance::least_visibility ? polished : center;
   }
 
-  const auto [slide, other] = culprits(bounds, center);
+  const Culprits culprits = culprits_of(bounds, center, names);
   ErrorPlace place;
   place.part = part;
   place.point = center;
-  if (slide >= 0) place.slide = static_cast<std::size_t>(slide);
-  if (other >= 0) place.other_slide = static_cast<std::size_t>(other);
-  const std::string all = listed(bounds, names);
+  if (culprits.slide >= 0) place.slide = static_cast<std::size_t>(culprits.slide);
+  if (culprits.other >= 0) place.other_slide = static_cast<std::size_t>(culprits.other);
   throw Error(ErrorCode::sections_overlap,
-              "no point of the part between the slides " + all + " sees all its sections side by side from inside; " +
-                  (slide >= 0 ? "the worst is '" + names[static_cast<std::size_t>(slide)] + "'" : std::string("")) +
-                  (other >= 0 ? " with '" + names[static_cast<std::size_t>(other)] + "'" : std::string("")) +
-                  ": turn or move it, or cut the part once more",
+              "no point of the part between the slides " + listed(bounds, names) +
+                  " sees all its sections side by side from inside; from the best one, near " + to_text(center) + ", " +
+                  culprits.fault + ": turn or move a slide there, or cut the part once more",
               place);
 }
 

@@ -3,20 +3,18 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 
 #include "core/error/error.h"
+#include "core/mesh/tolerance.h"
 
 namespace cagewright {
 namespace {
 
 using Matrix2 = Eigen::Matrix2d;
-
-// Pulls a slide that nothing else orients to its own u; far below any weight that means something.
-constexpr double tie_break_weight = 1e-9;
 
 Vector2 pow4(const Vector2& v) {
   const std::complex<double> unit = std::complex<double>(v.x(), v.y()) / v.norm();
@@ -28,7 +26,9 @@ double size(const Ellipse& slide) { return slide.u.squaredNorm() + slide.v.squar
 
 double smoothness_weight(const Ellipse& k, const Ellipse& h) {  // (4a)
   const double s_k = size(k), s_h = size(h);
-  return (s_k + s_h - std::abs(s_k - s_h)) / (k.center - h.center).squaredNorm();
+  // Slides in one place, as two strokes over each other may be, would weigh infinitely much.
+  const double nearest = tolerance::nearest_centers * tolerance::nearest_centers * (s_k + s_h);
+  return (s_k + s_h - std::abs(s_k - s_h)) / std::max((k.center - h.center).squaredNorm(), nearest);
 }
 
 double alignment_weight(const Ellipse& k, double lambda) {  // (5b)
@@ -37,7 +37,7 @@ double alignment_weight(const Ellipse& k, double lambda) {  // (5b)
 }
 
 bool perpendicular(const Ellipse& k, const Ellipse& h) {  // the angle between the normals is in [pi/4, 3 pi/4]
-  return std::abs(k.normal.dot(h.normal)) <= std::numbers::sqrt2 / 2;
+  return std::abs(k.normal.dot(h.normal)) <= std::numbers::sqrt2 / 2 + tolerance::tie;
 }
 
 Vector2 in_frame_of(const Ellipse& k, const Vector3& direction) {
@@ -64,17 +64,21 @@ class Energy {
 
   // weight |x_k - target|^2
   void pull(int k, const Vector2& target, double weight) {
+    heaviest_ = std::max(heaviest_, weight);
     add(k, k, weight * Matrix2::Identity());
     b_.segment<2>(2 * k) += weight * target;
     constant_ += weight * target.squaredNorm();
   }
   // weight |T x_k - x_h|^2
   void tie(int k, int h, const Matrix2& t, double weight) {
+    heaviest_ = std::max(heaviest_, weight);
     add(k, k, weight * t.transpose() * t);
     add(h, h, weight * Matrix2::Identity());
     add(h, k, -weight * t);
     add(k, h, -weight * t.transpose());
   }
+  // The heaviest weight so far; 1 where there is none.
+  double heaviest() const { return heaviest_ > 0 ? heaviest_ : 1; }
   Eigen::VectorXd minimiser() const {
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix());
     const Eigen::VectorXd x = solver.solve(b_);
@@ -97,7 +101,7 @@ class Energy {
 
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd b_;
-  double constant_ = 0;
+  double constant_ = 0, heaviest_ = 0;
 };
 
 Energy equation_1(const std::vector<Ellipse>& slides, const NeighbourPairs& neighbours, double lambda) {
@@ -124,7 +128,9 @@ double reach(const Ellipse& slide, const Vector3& direction) {
 }
 
 SectionFrame section_of(const Ellipse& slide, const Vector2& x) {
-  const double angle = std::atan2(x.y(), x.x()) / 4;  // the fourth root nearest to u
+  // The fourth root nearest to u; of the two half way between u and v, always the same.
+  const double y = std::abs(x.y()) <= tolerance::tie * x.norm() ? std::abs(x.y()) : x.y();
+  const double angle = std::atan2(y, x.x()) / 4;
   const Vector3 u = slide.u.normalized(), v = slide.v.normalized();
   const Vector3 p = std::cos(angle) * u + std::sin(angle) * v;
   const Vector3 q = slide.normal.cross(p);
@@ -141,7 +147,9 @@ std::vector<SectionFrame> orient(const std::vector<Ellipse>& slides, const Neigh
   std::vector<SectionFrame> sections;
   if (slides.empty()) return sections;
   Energy energy = equation_1(slides, neighbours, lambda);
-  for (std::size_t k = 0; k < slides.size(); ++k) energy.pull(static_cast<int>(k), Vector2::UnitX(), tie_break_weight);
+  // Pulls a slide that nothing else orients to its own u.
+  const double weight = tolerance::tie_break_weight * energy.heaviest();
+  for (std::size_t k = 0; k < slides.size(); ++k) energy.pull(static_cast<int>(k), Vector2::UnitX(), weight);
   const Eigen::VectorXd x = energy.minimiser();
   for (std::size_t k = 0; k < slides.size(); ++k)
     sections.push_back(section_of(slides[k], x.segment<2>(static_cast<Eigen::Index>(2 * k))));

@@ -52,17 +52,21 @@ PipelineResult make_cage(const Model& model, const std::vector<Slide>& slides, c
   std::vector<std::string> names;
   for (const Slide& slide : slides) names.push_back(slide.name);
   PipelineResult result;
+  const auto finish = [&] {
+    if (progress && !progress(1, result.last_stage)) throw Error(ErrorCode::cancelled, "cancelled");
+    return std::move(result);
+  };
   Stopwatch watch;
   result.segmentation = segment(model, slides, part_of_progress(0, segment_end, Stage::segment));
   result.segment_ms = watch.lap_ms();
   result.last_stage = Stage::segment;
-  if (options.last_stage == Stage::segment) return result;
+  if (options.last_stage == Stage::segment) return finish();
 
   if (progress && !progress(segment_end, Stage::orient)) throw Error(ErrorCode::cancelled, "cancelled");
   result.sections = orient(result.segmentation.ellipses, neighbours_of(result.segmentation), options.lambda);
   result.orient_ms = watch.lap_ms();
   result.last_stage = Stage::orient;
-  if (options.last_stage == Stage::orient) return result;
+  if (options.last_stage == Stage::orient) return finish();
 
   if (progress && !progress(segment_end, Stage::meshing)) throw Error(ErrorCode::cancelled, "cancelled");
   result.cage = mesh_cage(result.segmentation, result.sections, names);
@@ -76,7 +80,7 @@ PipelineResult make_cage(const Model& model, const std::vector<Slide>& slides, c
     result.last_stage = Stage::refine;
   }
   measure(model, result);
-  return result;
+  return finish();
 }
 
 }  // namespace cagewright

@@ -21,19 +21,18 @@ bool still_moves(double signed_distance, double delta, double tolerance) {
 }
 
 AnchorFinder::AnchorFinder(const Segmentation& segmentation, const Cage& topology, const RefineOptions& options,
-                           double diagonal)
+                           double delta_length, double extent)
     : segmentation_(segmentation),
       topology_(topology),
       options_(options),
-      delta_(options.delta * diagonal),
-      on_plane_(tolerance::on_plane * diagonal),
+      delta_(delta_length),
+      on_plane_(tolerance::on_plane * extent),
       part_triangles_(segmentation.parts.size()) {
   for (std::size_t t = 0; t < topology.triangle_part.size(); ++t)
     part_triangles_[static_cast<std::size_t>(topology.triangle_part[t])].push_back(static_cast<int>(t));
   for (std::size_t p = 0; p < segmentation.parts.size(); ++p) {
     const std::size_t count = segmentation.parts[p].vertices.size();
     seen_through_.emplace_back(count, Cones::inside);
-    if (segmentation.parts[p].enclosed) continue;
     for (std::size_t begin = 0; begin < count; begin += block_size)
       blocks_.push_back({p, begin, std::min(begin + block_size, count)});
   }
@@ -51,9 +50,13 @@ void AnchorFinder::set_planes(const Points& points) {
   }
 }
 
+double AnchorFinder::distance(long vertex, int triangle) const {
+  return (segmentation_.cut.points.row(vertex) - barycenters_.row(triangle)).dot(normals_.row(triangle));
+}
+
 // Keeps the farther of two vertices; of equally far ones the first, so that the order of blocks does not matter.
 void AnchorFinder::offer(long vertex, int triangle, std::vector<Farthest>& best) const {
-  const double d = (segmentation_.cut.points.row(vertex) - barycenters_.row(triangle)).dot(normals_.row(triangle));
+  const double d = distance(vertex, triangle);
   Farthest& farthest = best[static_cast<std::size_t>(triangle)];
   if (d > farthest.distance) farthest = {d, vertex};
 }
@@ -66,6 +69,26 @@ void AnchorFinder::search_local(const Cones& cones, const Block& block, std::vec
     int& triangle = seen_through_[block.part][i];
     if (triangle == Cones::inside || !cones.sees(part, triangle, v)) triangle = cones.triangle_of(part, v);
     if (triangle != Cones::inside) offer(vertices[i], triangle, best);
+  }
+}
+
+// A component that lies inside others is bounded where any part's cage bounds it; a vertex that none does is left to
+// the triangle that it stands out of least.
+void AnchorFinder::search_enclosed(const Cones& cones, const Block& block, std::vector<Farthest>& best) const {
+  const std::vector<int>& vertices = segmentation_.parts[block.part].vertices;
+  for (std::size_t i = block.begin; i < block.end; ++i) {
+    const Vector3 v = segmentation_.cut.points.row(vertices[i]);
+    int nearest = Cones::inside;
+    double least = infinity;
+    for (std::size_t p = 0; p < segmentation_.parts.size() && least > 0; ++p) {
+      if (segmentation_.parts[p].enclosed) continue;
+      const int triangle = cones.triangle_of(static_cast<int>(p), v);
+      const double d = triangle == Cones::inside ? -infinity : distance(vertices[i], triangle);
+      if (d >= least) continue;
+      least = d;
+      nearest = triangle;
+    }
+    if (nearest != Cones::inside) offer(vertices[i], nearest, best);
   }
 }
 
@@ -82,7 +105,9 @@ void AnchorFinder::find(const Points& points, RefineRecord& record) {
   std::vector<std::vector<Farthest>> found(blocks_.size());
   parallel_for(blocks_.size(), options_.threads, [&](std::size_t b) {
     found[b].assign(count, {-infinity, -1});
-    if (options_.scope == RefineScope::local)
+    if (segmentation_.parts[blocks_[b].part].enclosed)
+      search_enclosed(cones, blocks_[b], found[b]);
+    else if (options_.scope == RefineScope::local)
       search_local(cones, blocks_[b], found[b]);
     else
       search_part(blocks_[b], found[b]);

@@ -15,8 +15,9 @@ bool still_moves(double signed_distance, double delta, double tolerance);
 // Equations (6) and (7) for a cage that moves. Keeps, between calls, which triangle each model vertex was seen through.
 class AnchorFinder {
  public:
-  // What is passed in must outlive the finder.
-  AnchorFinder(const Segmentation& segmentation, const Cage& topology, const RefineOptions& options, double diagonal);
+  // delta_length and extent in model units. What is passed in by reference must outlive the finder.
+  AnchorFinder(const Segmentation& segmentation, const Cage& topology, const RefineOptions& options,
+               double delta_length, double extent);
 
   // Fills normals, anchors, signed_distance, outermost and max_signed_distance of `record` for a cage at `points`
   // (n x 3, as Cage::points). The same bits for any number of threads. O(model vertices) when little moved since the
@@ -33,8 +34,10 @@ class AnchorFinder {
   };
 
   void search_local(const Cones& cones, const Block& block, std::vector<Farthest>& best);
+  void search_enclosed(const Cones& cones, const Block& block, std::vector<Farthest>& best) const;
   void search_part(const Block& block, std::vector<Farthest>& best) const;
   void set_planes(const Points& points);
+  double distance(long vertex, int triangle) const;
   void offer(long vertex, int triangle, std::vector<Farthest>& best) const;
 
   const Segmentation& segmentation_;

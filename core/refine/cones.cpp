@@ -90,8 +90,9 @@ int Cones::triangle_of(int part, const Vector3& v) const {
   if (const int wall = wall_of(here, v); wall != none) return wall;
   if (const Opening* opening = opening_of(here, v)) {
     if (in_front(*opening, v)) return inside;
-    const int beyond = wall_of(parts_[static_cast<std::size_t>(opening->behind)], v);
-    return beyond == none ? inside : beyond;
+    const Part& behind = parts_[static_cast<std::size_t>(opening->behind)];
+    if (const int wall = wall_of(behind, v); wall != none) return wall;
+    if (const Opening* other = opening_of(behind, v); other && in_front(*other, v)) return inside;
   }
   int nearest = inside;
   double best = -std::numeric_limits<double>::infinity();

@@ -15,15 +15,15 @@ class Cones {
   static constexpr int inside = -1;  // seen through a section and in front of it: no wall bounds the vertex
 
   // `points` are the cage's vertices where they are now, n x 3; `on_plane` (model units): a vertex that near to a
-  // section lies on it. What is passed in must outlive the object. O(cage triangles).
+  // section lies on it. Keeps nothing of what is passed in. O(cage triangles).
   Cones(const Segmentation& segmentation, const Cage& topology, const Points& points, double on_plane);
 
   // Whether the ray from the part's centre to v passes through cage triangle t. O(1).
   bool sees(int part, int t, const Vector3& v) const;
 
   // The cage triangle through which `part` sees v, or `inside`. A vertex behind a section (which has moved in, or whose
-  // plane goes on beyond it) is handed to the part on the section's other side; where the cage folds and no cone holds
-  // v, the nearest one does. O(triangles of a part).
+  // plane goes on beyond it) is handed to the part on the section's other side; where that one does not bound it, or
+  // the cage folds and no cone holds v, the nearest cone of `part` does. O(triangles of a part).
   int triangle_of(int part, const Vector3& v) const;
 
  private:

@@ -23,37 +23,40 @@ Points plane_normals(const Cage& cage, const std::vector<SectionFrame>& sections
 }
 
 [[noreturn]] void fail_diverged(const Segmentation& segmentation, const Cage& cage,
-                                const std::vector<std::string>& names, Eigen::Index vertex, const Vector3& from) {
+                                const std::vector<std::string>& names, RefineScope scope, Eigen::Index vertex,
+                                const Vector3& from) {
   ErrorPlace place;
   place.element = static_cast<std::size_t>(vertex);
   place.point = from;
   for (Eigen::Index t = 0; t < cage.triangles.rows() && !place.part; ++t)
     if ((cage.triangles.row(t).array() == static_cast<int>(vertex)).any())
       place.part = static_cast<std::size_t>(cage.triangle_part[static_cast<std::size_t>(t)]);
-  std::string slides;
+  std::string slides;  // of the part, for the sentence
   for (const PartSection& side : segmentation.parts[place.part.value_or(0)].sections) {
     if (!place.slide) place.slide = static_cast<std::size_t>(side.slide);
     slides += (slides.empty() ? "'" : ", '") + names[static_cast<std::size_t>(side.slide)] + "'";
   }
   throw Error(ErrorCode::refine_diverged,
               "the refinement drove cage vertex " + std::to_string(vertex) + ", last near " + to_text(from) +
-                  ", out of all bounds: cut the part between the slides " + slides +
-                  " once more, or set refine.scope to local",
+                  ", out of all bounds: " +
+                  (slides.empty() ? std::string("cut that part by slides")
+                                  : "cut the part between the slides " + slides + " once more") +
+                  (scope == RefineScope::part ? ", or set refine.scope to local" : ""),
               place);
 }
 
 void check_bounded(const Segmentation& segmentation, const Cage& cage, const std::vector<std::string>& names,
-                   const RefineRecord& record, const Eigen::AlignedBox3d& allowed) {
+                   RefineScope scope, const RefineRecord& record, const Eigen::AlignedBox3d& allowed) {
   for (Eigen::Index j = 0; j < record.after.rows(); ++j)
     if (!allowed.contains(Vector3(record.after.row(j))))
-      fail_diverged(segmentation, cage, names, j, record.before.row(j));
+      fail_diverged(segmentation, cage, names, scope, j, record.before.row(j));
 }
 
 // More weight for the triangles that have yet to move (7a) than for those that only keep their place (7b).
-std::vector<double> push_factors(const RefineRecord& record, double delta, double diagonal, double push) {
+std::vector<double> push_factors(const RefineRecord& record, double delta, double extent, double push) {
   std::vector<double> factors;
   for (const double d : record.signed_distance)
-    factors.push_back(still_moves(d, delta, tolerance::on_plane * diagonal) ? push : 1);
+    factors.push_back(still_moves(d, delta, tolerance::on_plane * extent) ? push : 1);
   return factors;
 }
 
@@ -80,9 +83,8 @@ Refinement refine(const Segmentation& segmentation, const std::vector<SectionFra
                   double diagonal, const std::vector<std::string>& names, const RefineOptions& options,
                   const Progress& progress) {
   const double delta = options.delta * diagonal;
-  const double extent = extent_of(segmentation.cut.points);
-  Refinement result{cage, {}, 0, false};
-  AnchorFinder anchors(segmentation, cage, options, diagonal);
+  Refinement result{cage, {}, 0, extent_of(segmentation.cut.points), false};
+  AnchorFinder anchors(segmentation, cage, options, delta, result.extent);
   const Points normals = plane_normals(cage, sections, options.in_plane);
   const Vector3 margin = Vector3::Constant(tolerance::diverged * diagonal);
   const Eigen::AlignedBox3d allowed(segmentation.cut.points.colwise().minCoeff().transpose() - margin,
@@ -95,11 +97,11 @@ Refinement refine(const Segmentation& segmentation, const std::vector<SectionFra
     record.plane_normal = normals;
     anchors.find(result.cage.points, record);
     result.max_signed_distance = record.max_signed_distance;
-    result.converged = meets_equation_9(record.max_signed_distance, delta, extent);
+    result.converged = meets_equation_9(record.max_signed_distance, delta, result.extent);
     if (result.converged || k >= options.iterations) return result;
-    trusted_step(cage, push_factors(record, delta, diagonal, options.push), options.damping,
-                 tolerance::smallest_anchor_distance * extent, record);
-    check_bounded(segmentation, cage, names, record, allowed);
+    trusted_step(segmentation, cage, push_factors(record, delta, result.extent, options.push), options.damping,
+                 tolerance::smallest_anchor_distance * result.extent, record);
+    check_bounded(segmentation, cage, names, options.scope, record, allowed);
     result.cage.points = record.after;
     result.records.push_back(std::move(record));
   }

@@ -38,7 +38,8 @@ struct Refinement {
   Cage cage;
   std::vector<RefineRecord> records;
   double max_signed_distance = 0;  // of the final cage, model units
-  bool converged = false;          // equation (9), with the model's extent (at most the diagonal) for D_BB
+  double extent = 0;               // the length for D_BB in (9): turns with the model, at most the diagonal
+  bool converged = false;          // equation (9)
 };
 
 // Pushes the cage out until it bounds the model at distance delta (paper 3.4, equations (6) to (9)).

@@ -5,9 +5,9 @@
 
 namespace cagewright {
 
-// Sets Part::enclosed for whole components that lie inside the rest of the model (eyes in a head, a cavity): the cage
-// of what encloses them bounds them too. Judged by the winding number of the rest round a sample of their vertices.
-// O(n) a component without slides whose box lies in that of another part.
+// Sets Part::enclosed for whole components that lie inside another (eyes in a head, a cavity), by find_outermost: they
+// get no cage of their own; refinement bounds them with the cage of what encloses them. O(n log n) where there is a
+// component without slides, else O(parts).
 void mark_enclosed(Segmentation& segmentation);
 
 }  // namespace cagewright

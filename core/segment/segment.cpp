@@ -2,11 +2,13 @@
 #include "core/segment/segment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
 #include "core/error/error.h"
+#include "core/mesh/tolerance.h"
 #include "core/segment/cut_mesh.h"
 #include "core/segment/enclosed.h"
 
@@ -82,33 +84,57 @@ void collect_vertices(const IndexedMesh& cut, const std::vector<int>& triangle_p
   }
 }
 
-void check_two_sides(const std::vector<std::array<int, 2>>& slide_parts, const std::vector<std::string>& names) {
-  for (std::size_t k = 0; k < slide_parts.size(); ++k) {
-    if (slide_parts[k][0] != slide_parts[k][1]) continue;
+void check_two_sides(const Segmentation& result, const std::vector<bool>& hollow,
+                     const std::vector<std::string>& names) {
+  for (std::size_t k = 0; k < result.slide_parts.size(); ++k) {
+    if (result.slide_parts[k][0] != result.slide_parts[k][1]) continue;
     ErrorPlace place;
     place.slide = k;
-    place.part = static_cast<std::size_t>(slide_parts[k][0]);
+    place.part = static_cast<std::size_t>(result.slide_parts[k][0]);
+    place.point = result.ellipses[k].center;
     throw Error(ErrorCode::part_sees_slide_twice,
-                "slide '" + names[k] +
-                    "' has the same part on both sides: the model is a ring there that is cut only once; add another "
-                    "slide on the ring",
+                "slide '" + names[k] + "' has the same part on both sides: " +
+                    (hollow[k] ? "the model is a pipe there, and its inside wall joins the two; close the pipe's ends, "
+                                 "or remove the slide"
+                               : "the model is a ring there that is cut only once; add another slide on the ring"),
                 place);
   }
 }
 
-struct LoopWalls {
-  std::vector<std::vector<HalfedgeHandle>> of_slide;
-};
+// A slide in a flat end cuts off a part without height, which nothing can be meshed round.
+void check_heights(const Segmentation& result, double diagonal, const std::vector<std::string>& names) {
+  for (const Part& part : result.parts) {
+    if (part.sections.size() != 1) continue;
+    const auto k = static_cast<std::size_t>(part.sections.front().slide);
+    const Ellipse& slide = result.ellipses[k];
+    const bool flat = std::all_of(part.vertices.begin(), part.vertices.end(), [&](int v) {
+      return std::abs(slide.normal.dot(Vector3(result.cut.points.row(v)) - slide.center)) <=
+             tolerance::on_plane * diagonal;
+    });
+    if (!flat) continue;
+    ErrorPlace place;
+    place.slide = k;
+    place.point = slide.center;
+    throw Error(ErrorCode::slide_misses_model,
+                "slide '" + names[k] + "' only touches the model, at " + to_text(slide.center) +
+                    ": move it into the limb to cut",
+                place);
+  }
+}
+
+// Of each slide the half-edges of its loop, the triangles ahead of the slide on their left.
+using LoopWalls = std::vector<std::vector<HalfedgeHandle>>;
 
 LoopWalls cut_along_slides(CutMesh& cut, const std::vector<Slide>& slides, const std::vector<std::string>& names,
-                           Segmentation& result, const Progress& progress) {
+                           Segmentation& result, std::vector<bool>& hollow, const Progress& progress) {
   LoopWalls walls;
   for (std::size_t k = 0; k < slides.size(); ++k) {
     if (progress && !progress(static_cast<double>(k) / static_cast<double>(slides.size())))
       throw Error(ErrorCode::cancelled, "cancelled while the model was cut");
     SlideOnModel placed = place_slide(cut.mesh(), slides[k], k);
-    walls.of_slide.push_back(cut.cut(placed.loop, static_cast<int>(k), names));
+    walls.push_back(cut.cut(placed.loop, static_cast<int>(k), names));
     result.ellipses.push_back(placed.ellipse);
+    hollow.push_back(placed.hollow);
     result.loops.push_back(std::move(placed.loop.points));
   }
   return walls;
@@ -121,7 +147,8 @@ Segmentation segment(const Model& model, const std::vector<Slide>& slides, const
   for (const Slide& slide : slides) names.push_back(slide.name);
   Segmentation result;
   CutMesh cut(model.mesh, model.diagonal);
-  const LoopWalls walls = cut_along_slides(cut, slides, names, result, progress);
+  std::vector<bool> hollow;
+  const LoopWalls walls = cut_along_slides(cut, slides, names, result, hollow, progress);
   const HalfEdgeMesh& mesh = cut.mesh();
   result.cut = to_indexed_mesh(mesh);
 
@@ -130,7 +157,7 @@ Segmentation segment(const Model& model, const std::vector<Slide>& slides, const
   const auto component_of = [&](HalfedgeHandle h) {
     return component[static_cast<std::size_t>(mesh.face_handle(h).idx())];
   };
-  for (const auto& wall : walls.of_slide)
+  for (const auto& wall : walls)
     result.slide_parts.push_back(
         {component_of(mesh.opposite_halfedge_handle(wall.front())), component_of(wall.front())});
 
@@ -144,12 +171,13 @@ Segmentation segment(const Model& model, const std::vector<Slide>& slides, const
       int& part = result.slide_parts[k][side];
       part = rank[static_cast<std::size_t>(part)];
     }
-  check_two_sides(result.slide_parts, names);
+  check_two_sides(result, hollow, names);
   for (std::size_t k = 0; k < result.slide_parts.size(); ++k)
     for (std::size_t side : {std::size_t{0}, std::size_t{1}})
       result.parts[static_cast<std::size_t>(result.slide_parts[k][side])].sections.push_back(
           {static_cast<int>(k), side == 0});
   collect_vertices(result.cut, result.triangle_part, result.parts);
+  check_heights(result, model.diagonal, names);
   mark_enclosed(result);
   return result;
 }

@@ -94,20 +94,24 @@ std::optional<FlatEllipse> ellipse_of(const Eigen::Matrix<double, 6, 1>& conic) 
 }
 
 struct Moments {
-  double area = 0;
+  double area = 0;    // over extent squared
+  double extent = 0;  // of the polygon from its mean
   Vector2 centroid = Vector2::Zero();
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // over extent squared
 };
 
-// Of the region inside a polygon, by Green's theorem, relative to the polygon's mean for accuracy.
+// Of the region inside a polygon, by Green's theorem, relative to the polygon's mean and extent for accuracy.
 Moments moments_of(const std::vector<Vector2>& polygon) {
   Vector2 origin = Vector2::Zero();
   for (const Vector2& p : polygon) origin += p / static_cast<double>(polygon.size());
+  double extent = 0;
+  for (const Vector2& p : polygon) extent = std::max(extent, (p - origin).stableNorm());
   Moments m;
+  if (!(extent > 0)) return m;
   Vector2 first = Vector2::Zero();
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2 a = polygon[i] - origin, b = polygon[(i + 1) % polygon.size()] - origin;
+    const Vector2 a = (polygon[i] - origin) / extent, b = (polygon[(i + 1) % polygon.size()] - origin) / extent;
     const double cross = a.x() * b.y() - a.y() * b.x();
     m.area += cross / 2;
     first += cross / 6 * (a + b);
@@ -115,10 +119,23 @@ Moments moments_of(const std::vector<Vector2>& polygon) {
   }
   if (m.area == 0) return m;
   const Vector2 mean = first / m.area;
-  m.centroid = origin + mean;
+  m.centroid = origin + extent * mean;
   m.covariance = second / m.area - mean * mean.transpose();
-  m.area = std::abs(m.area);
+  m.extent = extent;
   return m;
+}
+
+// The principal directions of a circle are rounding; a point of the curve has to give u instead.
+bool is_round(double long_radius, double short_radius) {
+  return long_radius - short_radius <= tolerance::round_loop * long_radius;
+}
+
+// The point farthest from `center`; of equally far ones the first.
+Vector2 farthest_point(const std::vector<Vector2>& polygon, const Vector2& center) {
+  Vector2 best = polygon.front();
+  for (const Vector2& p : polygon)
+    if ((p - center).norm() > (1 + tolerance::tie) * (best - center).norm()) best = p;
+  return best;
 }
 
 Vector3 stroke_normal(const Points& stroke, const Vector3& mean, const std::string& name) {
@@ -160,11 +177,14 @@ Ellipse fit_stroke(const Points& stroke, const std::string& name) {
   const auto conic = fit_conic(flat);
   const auto fitted = conic ? ellipse_of(*conic) : std::nullopt;
   if (!fitted || fitted->long_radius > tolerance::largest_ellipse ||
-      fitted->short_radius < tolerance::degenerate_radius)
+      fitted->short_radius < tolerance::degenerate_radius * fitted->long_radius)
     fail(ErrorCode::stroke_no_ellipse, name,
          "no ellipse fits the stroke: draw it farther round the limb, without a zigzag");
-  Ellipse ellipse = to_space(frame, extent * fitted->center, fitted->major, extent * fitted->long_radius,
-                             extent * fitted->short_radius);
+  Vector2 major = fitted->major;
+  if (is_round(fitted->long_radius, fitted->short_radius))
+    major = farthest_point(flat, fitted->center) - fitted->center;
+  Ellipse ellipse =
+      to_space(frame, extent * fitted->center, major, extent * fitted->long_radius, extent * fitted->short_radius);
   if (ellipse.u.dot(Vector3(stroke.row(0)) - ellipse.center) < 0) turn_half(ellipse);
   return ellipse;
 }
@@ -175,10 +195,12 @@ Ellipse fit_loop(const Points& loop, const Vector3& on_plane, const Vector3& nor
   const Moments moments = moments_of(polygon);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments.covariance);
   // Along a radius r of a solid ellipse the variance is r^2 / 4.
-  const Vector2 radii = 2 * solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const Vector2 radii = 2 * moments.extent * solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   if (!(radii(0) > tolerance::degenerate_radius * radii(1)))
     fail(ErrorCode::slide_degenerate, name, "the model's cross section there has no area: move the slide");
-  Ellipse ellipse = to_space(frame, moments.centroid, solver.eigenvectors().col(1), radii(1), radii(0));
+  Vector2 major = solver.eigenvectors().col(1);
+  if (is_round(radii(1), radii(0))) major = farthest_point(polygon, moments.centroid) - moments.centroid;
+  Ellipse ellipse = to_space(frame, moments.centroid, major, radii(1), radii(0));
   double ahead = 0, behind = 0;
   for (Eigen::Index i = 0; i < loop.rows(); ++i) {
     const double along = ellipse.u.dot(Vector3(loop.row(i)) - ellipse.center);

@@ -90,6 +90,12 @@ const PlaneLoop* nearest_loop(const std::vector<PlaneLoop>& loops, const Vector3
   return best;
 }
 
+bool has_inside_wall(const std::vector<PlaneLoop>& loops, const Ellipse& ellipse) {
+  return std::any_of(loops.begin(), loops.end(), [&](const PlaneLoop& loop) {
+    return winding_number(loop.points, ellipse.center, ellipse.normal) < 0;
+  });
+}
+
 // A point well inside the loop, for a crescent whose centroid is not: the best of a grid along u and v.
 Vector3 deepest_point(const Points& loop, const Ellipse& ellipse) {
   const PlaneFrame frame(ellipse.center, ellipse.normal);
@@ -124,11 +130,12 @@ SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const PointNormalDefinitio
   if (!loop)
     fail(ErrorCode::slide_misses_model,
          "slide '" + name + "' misses the model: its plane through " + to_text(plane.point) +
-             " does not meet it; move the point onto the limb to cut",
+             " does not cut it; move the point onto the limb to cut",
          index, plane.point);
-  SlideOnModel placed{fit_loop(loop->points, plane.point, plane.normal, name), *loop};
+  SlideOnModel placed{fit_loop(loop->points, plane.point, plane.normal, name), *loop, false};
   if (winding_number(loop->points, placed.ellipse.center, placed.ellipse.normal) <= 0)
     placed.ellipse.center = deepest_point(loop->points, placed.ellipse);
+  placed.hollow = has_inside_wall(loops, placed.ellipse);
   return placed;
 }
 
@@ -138,7 +145,7 @@ SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, con
   if (loops.empty())
     fail(ErrorCode::slide_misses_model,
          "slide '" + name + "' misses the model: its plane through " + to_text(ellipse.center) +
-             " does not meet it; move the slide onto the limb to cut",
+             " does not cut it; move the slide onto the limb to cut",
          index, ellipse.center);
   const PlaneLoop* loop = enclosing_loop(loops, ellipse.center, ellipse.normal);
   if (!loop)
@@ -146,7 +153,7 @@ SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, con
          "slide '" + name + "': no closed loop of the model goes round its centre " + to_text(ellipse.center) +
              " in its plane; move the centre inside the limb to cut",
          index, ellipse.center);
-  return {ellipse, *loop};
+  return {ellipse, *loop, has_inside_wall(loops, ellipse)};
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ int winding_number(const Points& loop, const Vector3& center, const Vector3& nor
 struct SlideOnModel {
   Ellipse ellipse;
   PlaneLoop loop;
+  bool hollow = false;  // within the loop the model has an inside wall round the centre, as a pipe has
 };
 SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index);
 

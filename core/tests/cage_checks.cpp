@@ -122,8 +122,7 @@ void expect_same_cage(const Cage& cage, const Cage& other, double tolerance, con
   double farthest = 0;
   const std::vector<int> partner = partners(cage, other, motion, farthest);
   EXPECT_LE(farthest, tolerance);
-  const auto moved_triangles =
-      labelled_triangles(cage, [&](int v) { return partner[static_cast<std::size_t>(v)]; });
+  const auto moved_triangles = labelled_triangles(cage, [&](int v) { return partner[static_cast<std::size_t>(v)]; });
   EXPECT_EQ(moved_triangles, labelled_triangles(other, [](int v) { return v; }));
   for (std::size_t v = 0; v < partner.size(); ++v)
     EXPECT_EQ(cage.vertex_section[v], other.vertex_section[static_cast<std::size_t>(partner[v])]);

@@ -87,7 +87,8 @@ TEST(MeshCage, IsClosedOrRefusedWithSlidesNamedForAnySubsetOfSlides) {
     for (int trial = 0; trial < 15; ++trial) {
       std::vector<Slide> slides;
       for (const Slide& slide : body.slides)
-        if (random.below(3) > 0) slides.insert(slides.begin() + random.below(static_cast<int>(slides.size()) + 1), slide);
+        if (random.below(3) > 0)
+          slides.insert(slides.begin() + random.below(static_cast<int>(slides.size()) + 1), slide);
       if (slides.empty()) continue;
       SCOPED_TRACE(body.name + ", trial " + std::to_string(trial));
       try {
@@ -147,8 +148,9 @@ TEST(MeshCage, CapsReachTheFarEndOfTheirLeaves) {
       const Vector3 corner = result.cage->points.row(cap + i);
       EXPECT_NEAR(into.dot(corner - section.center), height, 1e-12);
       const Vector3 edge = Vector3(result.cage->points.row(cap + (i + 1) % 4)) - corner;
-      EXPECT_NEAR(edge.normalized().cross(section.p.normalized()).norm() * edge.normalized().dot(section.p.normalized()),
-                  0, 1e-12)
+      EXPECT_NEAR(
+          edge.normalized().cross(section.p.normalized()).norm() * edge.normalized().dot(section.p.normalized()), 0,
+          1e-12)
           << "a cap's edge runs along p or q of its section";
     }
     cap += 4;
@@ -169,10 +171,27 @@ TEST(MeshCage, RefusesTwoPartsBetweenTheSameSlides) {
   EXPECT_TRUE(error.place().part);
 }
 
+TEST(MeshCage, EndsForASlideAsThinAsANeedle) {
+  const SlidBody body = shapes::limb(1);
+  const Ellipse ellipse = segment(prepare_model(body.mesh), body.slides).ellipses.front();
+  for (const double thinness : {1e-2, 1e-3, 1e-4}) {
+    const Slide needle{"needle", EllipseDefinition{ellipse.center, 12.0 * ellipse.u, thinness * ellipse.v}};
+    const PipelineResult result = mesh_only(prepare_model(body.mesh), {needle});
+    EXPECT_EQ(result.cage->triangles.rows(), 20);
+  }
+}
+
+TEST(MeshCage, BoxesAFlatComponentWithAThickness) {
+  IndexedMesh card = meshes::box(Vector3(3, 0, 0), Vector3(4, 1, 1e-12));
+  const SlidBody body = shapes::limb(1);
+  const PipelineResult result = mesh_only(prepare_model(meshes::together(body.mesh, card)), body.slides);
+  EXPECT_TRUE(result.cage_genus);
+}
+
 TEST(MeshCage, RefusesSectionsThatNoPointSeesSideBySide) {
   const SlidBody body = shapes::ring(2);
   const Error error = expect_error([&] { mesh_only(prepare_model(body.mesh), body.slides); },
-                                   ErrorCode::sections_overlap, {"'slide 0'", "'slide 1'", "turn or move it"});
+                                   ErrorCode::sections_overlap, {"'slide 0'", "'slide 1'", "turn or move"});
   EXPECT_TRUE(error.place().slide);
   EXPECT_TRUE(error.place().part);
   EXPECT_TRUE(error.place().point);

@@ -8,8 +8,10 @@
 #include "core/mesh/predicates.h"
 #include "core/meshing/convex_hull.h"
 #include "core/meshing/flip.h"
+#include "core/meshing/meshing.h"
 #include "core/meshing/projection_center.h"
 #include "core/meshing/spherical_triangulation.h"
+#include "core/tests/cage_checks.h"
 #include "core/tests/expect_error.h"
 #include "core/tests/random_numbers.h"
 
@@ -42,7 +44,8 @@ Bounds random_bounds(Random& random, int count) {
       for (const auto& [x, y] : {std::pair{&a, &b}, std::pair{&b, &a}})
         for (std::size_t e = 0; e < 4; ++e) {
           const Vector3 inward = x->corners[e].cross(x->corners[(e + 1) % 4]);
-          apart |= std::all_of(y->corners.begin(), y->corners.end(), [&](const Vector3& c) { return inward.dot(c) < 0; });
+          apart |=
+              std::all_of(y->corners.begin(), y->corners.end(), [&](const Vector3& c) { return inward.dot(c) < 0; });
         }
       if (apart) continue;
       bounds.list.pop_back();
@@ -150,6 +153,49 @@ TEST(SphericalTriangulation, HoldsSectionEdgesAndStaysSoundThroughAllSteps) {
   EXPECT_GT(smoothed, 50);
 }
 
+// A part between random sections, and beyond each section a leaf that is one point.
+Segmentation star_of(const Bounds& bounds) {
+  Segmentation s;
+  const auto count = static_cast<Eigen::Index>(bounds.list.size());
+  s.cut.points.resize(count, 3);
+  s.parts.resize(1);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Bound& bound = bounds.list[static_cast<std::size_t>(k)];
+    s.cut.points.row(k) = ((bound.corners[0] + bound.corners[2]) / 2 + bound.outward).transpose();
+    s.parts[0].sections.push_back({static_cast<int>(k), true});
+    s.parts.push_back({{{static_cast<int>(k), false}}, {static_cast<int>(k)}, false});
+  }
+  return s;
+}
+
+TEST(MeshCage, JoinsPartsAlsoWhereTheHullLacksTheEdgesOfTheirSections) {
+  Random random(10);
+  int cases = 0, lacking = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const Bounds bounds = random_bounds(random, 2 + random.below(5));
+    if (visibility(bounds, Vector3::Zero()) < 0.02) continue;
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    std::vector<SectionFrame> sections;
+    for (const Bound& b : bounds.list) {
+      const Vector3 center = (b.corners[0] + b.corners[2]) / 2;
+      sections.push_back(
+          {center, b.outward, (b.corners[0] - b.corners[1]) / 2, (b.corners[1] - b.corners[2]) / 2, {1, 0}});
+    }
+    const Cage cage = mesh_cage(star_of(bounds), sections, std::vector<std::string>(sections.size(), "slide"));
+    checks::expect_closed_manifold(cage.points, cage.triangles, 0);
+    ++cases;
+    std::vector<Vector3> corners;
+    for (const Bound& b : bounds.list) corners.insert(corners.end(), b.corners.begin(), b.corners.end());
+    const SphericalTriangulation hull(corners, cage.part_center[0]);
+    bool all = true;
+    for (int v = 0; v < static_cast<int>(corners.size()); ++v)
+      all = all && hull.has_edge(v, v % 4 == 3 ? v - 3 : v + 1);
+    lacking += !all;
+  }
+  EXPECT_GT(cases, 100);
+  EXPECT_GT(lacking, 0);
+}
+
 TEST(SphericalTriangulation, IsTheDelaunayTriangulationOfPointsWithoutConstraints) {
   Random random(2);
   for (int trial = 0; trial < 100; ++trial) {
@@ -211,7 +257,8 @@ TEST(ConvexHull, AgreesWithTheTrianglesThatHaveAllPointsOnOneSide) {
   Random random(6);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<Vector3> points;
-    for (int i = 0; i < 20; ++i) points.emplace_back(random.uniform(-1, 1), random.uniform(-2, 2), random.uniform(0, 1));
+    for (int i = 0; i < 20; ++i)
+      points.emplace_back(random.uniform(-1, 1), random.uniform(-2, 2), random.uniform(0, 1));
     const ConvexHull hull = convex_hull(points);
     std::size_t expected = 0;
     for (std::size_t a = 0; a < 20; ++a)
@@ -297,8 +344,11 @@ TEST(ProjectionCenter, NamesTheSlidesWhereNoPointSeesThem) {
     bound.corners = {Vector3(size, size, 0), {-size, size, 0}, {-size, -size, 0}, {size, -size, 0}};
     bound.outward = Vector3::UnitZ();
   }
-  const Error error = expect_error([&] { projection_center(bounds, 4, {"wrist", "hand"}); },
-                                   ErrorCode::sections_overlap, {"'wrist'", "'hand'", "cut the part once more"});
+  const Error error = expect_error(
+      [&] {
+        projection_center(bounds, 4, {"wrist", "hand"});
+      },
+      ErrorCode::sections_overlap, {"'wrist'", "'hand'", "cut the part once more"});
   EXPECT_EQ(error.place().part, 4u);
 }
 

@@ -29,8 +29,8 @@ Ellipse random_ellipse(Random& random, const Vector3& near_normal, double wobble
                  short_radius * random.uniform(1, 2), short_radius);
 }
 
-// Equation (1) once more, straight from the paper: complex numbers, the SVD, and the minimum by its zero gradient, which
-// is found by differences (exact for a quadratic).
+// Equation (1) once more, straight from the paper: complex numbers, the SVD, and the minimum by its zero gradient,
+// which is found by differences (exact for a quadratic).
 class PaperEnergy {
  public:
   PaperEnergy(const std::vector<Ellipse>& slides, const NeighbourPairs& pairs, double lambda)
@@ -64,9 +64,7 @@ class PaperEnergy {
 
  private:
   const Ellipse& at(int k) const { return slides_[static_cast<std::size_t>(k)]; }
-  Vector2 flat(int k, const Vector3& d) const {
-    return {at(k).u.normalized().dot(d), at(k).v.normalized().dot(d)};
-  }
+  Vector2 flat(int k, const Vector3& d) const { return {at(k).u.normalized().dot(d), at(k).v.normalized().dot(d)}; }
   static Vector2 pow4(const Vector2& v) {
     const double angle = 4 * std::atan2(v.y(), v.x());
     return {std::cos(angle), std::sin(angle)};
@@ -159,8 +157,32 @@ TEST(Orient, MakesParallelSectionsAgreeWithoutAlignment) {
     slides.push_back(ellipse({0, 0, double(k)}, {0, 0, k % 2 ? 1.0 : -1.0}, {1, 0.15 * k, 0}, 2 - 0.1 * k, 1));
   const std::vector<SectionFrame> sections = orient(slides, {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, 0);
   for (std::size_t k = 1; k < sections.size(); ++k) {
-    const double c = std::abs(sections[k].p.normalized().dot(sections[0].p.normalized()));
-    EXPECT_LT(std::min(c, std::sqrt(1 - c * c)), 1e-6) << "parallel or perpendicular to the first";
+    const Vector3 p = sections[k].p.normalized(), first = sections[0].p.normalized();
+    EXPECT_LT(std::min(std::abs(p.dot(first)), p.cross(first).norm()), 1e-6)
+        << "parallel or perpendicular to the first";
+  }
+}
+
+TEST(Orient, TakesSlidesInOnePlaceForVeryNearAndNotForADefect) {
+  const std::vector<Ellipse> slides = {ellipse({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 2, 1),
+                                       ellipse({0, 0, 0}, {0, 0.1, 1}, {1, 0.2, 0}, 2, 1),
+                                       ellipse({0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 2, 1)};
+  for (const double lambda : {0.0, 4.0, 1e6})
+    for (const SectionFrame& section : orient(slides, {{0, 1}, {1, 2}}, lambda)) EXPECT_TRUE(section.p.allFinite());
+}
+
+TEST(Orient, DecidesTheSameWayForSlidesAt45DegreesHoweverTheyAreTurned) {
+  const double r = std::sqrt(0.5);
+  const std::vector<Ellipse> slides = {ellipse({0, 0, 0}, {0, 0, 1}, {1, 0.4, 0}, 2, 1),
+                                       ellipse({0, 1, 2}, {0, r, r}, {1, -0.7, 0.7}, 1.5, 1)};
+  const Vector2 x = orient(slides, {{0, 1}}, 0.5)[1].x;
+  for (unsigned trial = 0; trial < 100; ++trial) {
+    const Eigen::Matrix3d turn = shapes::random_motion(trial, 1, 0).rotation;
+    std::vector<Ellipse> turned = slides;
+    for (Ellipse& slide : turned) {
+      for (Vector3* direction : {&slide.center, &slide.normal, &slide.u, &slide.v}) *direction = turn * *direction;
+    }
+    EXPECT_LT((orient(turned, {{0, 1}}, 0.5)[1].x - x).norm(), 1e-9);
   }
 }
 

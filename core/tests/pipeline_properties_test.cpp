@@ -45,7 +45,8 @@ void expect_moves_along(const std::string& what, const IndexedMesh& mesh, const 
     const double scale = std::vector<double>{1, 0.001, 37, 1, 1e4}[seed - 1];
     const Motion motion = shapes::random_motion(seed, scale, scale * 5);
     Model moved_model = prepare_model(shapes::moved(mesh, motion));
-    moved_model.diagonal = scale * model.diagonal;  // that of an axis-aligned box: it alone does not turn with the model
+    moved_model.diagonal =
+        scale * model.diagonal;  // that of an axis-aligned box: it alone does not turn with the model
     const PipelineResult there = make_cage(moved_model, shapes::moved(slides, motion), options);
     checks::expect_same_cage(*here.cage, *there.cage, 1e-7 * scale * model.diagonal, motion);
     EXPECT_EQ(here.segmentation.slide_parts, there.segmentation.slide_parts);
@@ -156,7 +157,8 @@ TEST(Pipeline, StopsAfterTheStageAskedFor) {
     if (result.refinement) {
       EXPECT_EQ(result.cage->points, result.refinement->cage.points);
       EXPECT_NEAR(*result.volume_ratio,
-                  checks::volume_of({result.cage->points, result.cage->triangles}) / checks::volume_of(body.mesh), 1e-10);
+                  checks::volume_of({result.cage->points, result.cage->triangles}) / checks::volume_of(body.mesh),
+                  1e-10);
     }
   }
 }

@@ -43,7 +43,8 @@ Vector3 center_of(const Cage& cage, Eigen::Index t) {
 // The sine under which a part's centre sees a triangle: positive from inside.
 double facing(const Cage& cage, const Points& points, Eigen::Index t) {
   const Vector3 c = center_of(cage, t);
-  const Vector3 x = corner(cage, points, t, 0) - c, y = corner(cage, points, t, 1) - c, z = corner(cage, points, t, 2) - c;
+  const Vector3 x = corner(cage, points, t, 0) - c, y = corner(cage, points, t, 1) - c,
+                z = corner(cage, points, t, 2) - c;
   return (y - x).cross(z - x).normalized().dot(x) / std::max({x.norm(), y.norm(), z.norm()});
 }
 // Least signed distance of v from the planes of the cone from `center` over the polygon.
@@ -58,7 +59,8 @@ double margin(const std::vector<Vector3>& polygon, const Vector3& center, const 
 double winding(const Cage& cage, const Points& points, const Vector3& q) {
   double angle = 0;
   for (Eigen::Index t = 0; t < cage.triangles.rows(); ++t) {
-    const Vector3 a = corner(cage, points, t, 0) - q, b = corner(cage, points, t, 1) - q, c = corner(cage, points, t, 2) - q;
+    const Vector3 a = corner(cage, points, t, 0) - q, b = corner(cage, points, t, 1) - q,
+                  c = corner(cage, points, t, 2) - q;
     angle += 2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
                                                    b.dot(c) * a.norm() + c.dot(a) * b.norm());
   }
@@ -145,8 +147,9 @@ TEST(Refine, TakesTheOutermostVertexOfThePartWhereTheScopeIsThePart) {
     expect_anchors_of_record(m, record, 0);
     for (Eigen::Index t = 0; t < cage.triangles.rows(); ++t) {
       const auto part = static_cast<std::size_t>(cage.triangle_part[static_cast<std::size_t>(t)]);
-      const Vector3 g = (corner(cage, record.before, t, 0) + corner(cage, record.before, t, 1) +
-                         corner(cage, record.before, t, 2)) / 3;
+      const Vector3 g =
+          (corner(cage, record.before, t, 0) + corner(cage, record.before, t, 1) + corner(cage, record.before, t, 2)) /
+          3;
       double best = -1e300;
       for (int v : m.result.segmentation.parts[part].vertices)
         best = std::max(best, (m.vertex(v) - g).dot(Vector3(record.normals.row(t))));
@@ -173,8 +176,9 @@ TEST(Refine, TakesTheOutermostVertexOfTheConeWhereTheScopeIsLocal) {
         int seen = 0, on_border = 0;
         for (Eigen::Index t = 0; t < cage.triangles.rows(); ++t) {
           if (cage.triangle_part[static_cast<std::size_t>(t)] != static_cast<int>(p)) continue;
-          const double inside = margin({corner(cage, cage.points, t, 0), corner(cage, cage.points, t, 1),
-                                        corner(cage, cage.points, t, 2)}, c, m.vertex(v));
+          const double inside = margin(
+              {corner(cage, cage.points, t, 0), corner(cage, cage.points, t, 1), corner(cage, cage.points, t, 2)}, c,
+              m.vertex(v));
           on_border += std::abs(inside) <= eps;
           if (inside <= eps) continue;
           ++seen;
@@ -226,8 +230,8 @@ Vector3 dense_step(const Cage& cage, const RefineRecord& record, int j, double& 
   }
   const Vector3 n = record.plane_normal.row(j);
   if (n.isZero()) return a.colPivHouseholderQr().solve(b);
-  const Eigen::Matrix<double, 3, 2> basis = Eigen::FullPivHouseholderQR<Eigen::Matrix3d>(n * n.transpose())
-                                                .matrixQ().rightCols<2>();
+  const Eigen::Matrix<double, 3, 2> basis =
+      Eigen::FullPivHouseholderQR<Eigen::Matrix3d>(n * n.transpose()).matrixQ().rightCols<2>();
   return basis * (a * basis).colPivHouseholderQr().solve(b);
 }
 
@@ -351,9 +355,9 @@ TEST(Refine, RefusesACageThatFliesAwayAndNamesVertexAndSlides) {
   const Meshed m(shapes::limb(2));
   Cage cage = *m.result.cage;
   cage.points.row(5) += Eigen::RowVector3d(0, 0, 500);
-  const Error error = expect_error(
-      [&] { refine(m.result.segmentation, m.result.sections, cage, m.model.diagonal, m.names, {}); },
-      ErrorCode::refine_diverged, {"vertex", "'slide", "refine.scope"});
+  const Error error =
+      expect_error([&] { refine(m.result.segmentation, m.result.sections, cage, m.model.diagonal, m.names, {}); },
+                   ErrorCode::refine_diverged, {"vertex", "'slide", "cut the part"});
   EXPECT_TRUE(error.place().part);
   EXPECT_TRUE(error.place().slide);
   EXPECT_TRUE(error.place().point);

@@ -41,8 +41,8 @@ long euler_of(const IndexedMesh& mesh) {
   return static_cast<long>(vertices.size()) - static_cast<long>(edges.size()) + mesh.triangles.rows();
 }
 
-// The slides whose loops run along the boundary of the part, found from the triangles alone: boundary edges of the piece
-// matched with the slides by the distance of their ends from the loop's points.
+// The slides whose loops run along the boundary of the part, found from the triangles alone: boundary edges of the
+// piece matched with the slides by the distance of their ends from the loop's points.
 std::map<int, int> boundary_edges_by_slide(const Segmentation& s, const IndexedMesh& part) {
   std::set<std::pair<int, int>> edges;
   for (Eigen::Index t = 0; t < part.triangles.rows(); ++t)
@@ -51,7 +51,8 @@ std::map<int, int> boundary_edges_by_slide(const Segmentation& s, const IndexedM
   for (const auto& [a, b] : edges) {
     if (edges.count({b, a})) continue;
     for (std::size_t k = 0; k < s.loops.size(); ++k)
-      if ((s.loops[k].rowwise() - s.cut.points.row(a)).rowwise().squaredNorm().minCoeff() == 0) ++count[static_cast<int>(k)];
+      if ((s.loops[k].rowwise() - s.cut.points.row(a)).rowwise().squaredNorm().minCoeff() == 0)
+        ++count[static_cast<int>(k)];
   }
   return count;
 }
@@ -151,8 +152,8 @@ TEST(Segment, CutsThroughVerticesAndAlongEdges) {
   // Through the poles and along the meridians.
   const Segmentation lengthwise = segment(model, {across("lengthwise", {0, 0.01, 0}, {1, 0, 0})});
   EXPECT_EQ(lengthwise.parts.size(), 2u);
-  const Segmentation corner = segment(prepare_model(meshes::box({0, 0, 0}, {1, 1, 1})),
-                                      {across("diagonal", {0.5, 0.5, 0.5}, {1, -1, 0})});
+  const Segmentation corner =
+      segment(prepare_model(meshes::box({0, 0, 0}, {1, 1, 1})), {across("diagonal", {0.5, 0.5, 0.5}, {1, -1, 0})});
   EXPECT_EQ(corner.parts.size(), 2u);
   EXPECT_NEAR(checks::area_of(corner.cut), 6, 1e-14);
 }
@@ -199,6 +200,23 @@ TEST(Segment, RefusesARingThatIsCutOnce) {
                                    ErrorCode::part_sees_slide_twice, {"'slide 0'", "both sides", "add another slide"});
   EXPECT_EQ(error.place().slide, 0u);
   EXPECT_EQ(error.place().part, 0u);
+}
+
+TEST(Segment, SaysOfAPipeThatItsInsideWallJoinsBothSides) {
+  // In the plane of a torus the outer loop has an inside wall within it, as a pipe's has.
+  const Slide slide{"across", PointNormalDefinition{{0, 0, 0.01}, {0, 0, 1}}};
+  expect_error([&] { segment(prepare_model(meshes::torus(1.5, 0.4, 61, 37)), {slide}); },
+               ErrorCode::part_sees_slide_twice, {"'across'", "pipe", "inside wall", "remove the slide"});
+}
+
+TEST(Segment, RefusesASlideThatOnlyTouchesAFlatEnd) {
+  const Model model = prepare_model(meshes::box(Vector3::Zero(), Vector3(1, 1, 3)));
+  for (const double end : {0.0, 3.0}) {
+    const Slide slide{"end", PointNormalDefinition{{0.4, 0.4, end}, {0, 0, 1}}};
+    const Error error =
+        expect_error([&] { segment(model, {slide}); }, ErrorCode::slide_misses_model, {"'end'", "move"});
+    EXPECT_EQ(error.place().slide, 0u);
+  }
 }
 
 TEST(Segment, MarksWhatLiesInsideAsEnclosedAndNothingElse) {

@@ -41,7 +41,8 @@ class Marcher {
           }
     IndexedMesh mesh{Points(static_cast<Eigen::Index>(points_.size()), 3),
                      Triangles(static_cast<Eigen::Index>(triangles_.size()), 3)};
-    for (std::size_t i = 0; i < points_.size(); ++i) mesh.points.row(static_cast<Eigen::Index>(i)) = points_[i].transpose();
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      mesh.points.row(static_cast<Eigen::Index>(i)) = points_[i].transpose();
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       mesh.triangles.row(static_cast<Eigen::Index>(t)) << triangles_[t][0], triangles_[t][1], triangles_[t][2];
     return mesh;
@@ -118,7 +119,8 @@ void add_slides(SlidBody& body, const Tube& tube, const std::vector<double>& sha
 
 std::vector<double> spread(int count, double first, double last) {
   std::vector<double> shares;
-  for (int i = 0; i < count; ++i) shares.push_back(first + (last - first) * (count == 1 ? 0.5 : double(i) / (count - 1)));
+  for (int i = 0; i < count; ++i)
+    shares.push_back(first + (last - first) * (count == 1 ? 0.5 : double(i) / (count - 1)));
   return shares;
 }
 
@@ -172,9 +174,8 @@ SlidBody limb(int slides) {
 
 SlidBody fork(int slides_on_each_arm) {
   const Vector3 center(0.05, -0.03, 0.02);
-  const std::vector<Tube> arms = {{center, {1.9, 0.15, 0.2}, 0.38},
-                                  {center, {-1.1, 0.1, 1.5}, 0.42},
-                                  {center, {-0.9, -0.2, -1.6}, 0.4}};
+  const std::vector<Tube> arms = {
+      {center, {1.9, 0.15, 0.2}, 0.38}, {center, {-1.1, 0.1, 1.5}, 0.42}, {center, {-0.9, -0.2, -1.6}, 0.4}};
   SlidBody body = slid("fork", arms, 0);
   for (const Tube& arm : arms) add_slides(body, arm, spread(slides_on_each_arm, 0.45, 0.85));
   return body;
@@ -229,8 +230,7 @@ Motion random_motion(unsigned seed, double scale, double offset) {
 
 IndexedMesh moved(const IndexedMesh& mesh, const Motion& motion) {
   IndexedMesh result = mesh;
-  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
-    result.points.row(v) = motion(mesh.points.row(v)).transpose();
+  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) result.points.row(v) = motion(mesh.points.row(v)).transpose();
   return result;
 }
 

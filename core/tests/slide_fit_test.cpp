@@ -56,6 +56,15 @@ Points column(const std::vector<Vector3>& rows) {
   return points;
 }
 
+// The plane of these is ambiguous, and the first point falls on the fitted circle's centre.
+TEST(FitStroke, GivesTheCornersOfAnOctahedronRadii) {
+  Points stroke(6, 3);
+  stroke << -2, 0, 0, 0, -2, 0, 0, 0, 2, 2, 0, 0, 0, 2, 0, 0, 0, -2;
+  const Ellipse ellipse = fit_stroke(stroke, "round");
+  EXPECT_GT(ellipse.v.norm(), 0.5);
+  EXPECT_NEAR(ellipse.u.norm(), ellipse.v.norm(), 1e-6);
+}
+
 TEST(FitStroke, RecoversEllipsesFromAllOrPartOfTheirWay) {
   Random random(1);
   for (int trial = 0; trial < 200; ++trial) {
@@ -203,23 +212,35 @@ TEST(FromRadii, GivesThePrincipalRadiiOfConjugateOnes) {
 }
 
 TEST(FromRadii, RefusesRadiiThatSpanNoPlane) {
-  for (const EllipseDefinition& bad : {EllipseDefinition{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
-                                       EllipseDefinition{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}},
-                                       EllipseDefinition{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}})
+  for (const EllipseDefinition& bad :
+       {EllipseDefinition{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, EllipseDefinition{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}},
+        EllipseDefinition{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}})
     expect_error([&] { from_radii(bad, "hip"); }, ErrorCode::slide_degenerate, {"'hip'", "zero or parallel"});
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expect_error([&] { from_radii({{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, "hip"); }, ErrorCode::slide_not_finite,
-               {"'hip'", "center"});
-  expect_error([&] { from_radii({{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, "hip"); }, ErrorCode::slide_not_finite,
-               {"'hip'", "its v"});
+  expect_error(
+      [&] {
+        from_radii({{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, "hip");
+      },
+      ErrorCode::slide_not_finite, {"'hip'", "center"});
+  expect_error(
+      [&] {
+        from_radii({{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, "hip");
+      },
+      ErrorCode::slide_not_finite, {"'hip'", "its v"});
 }
 
 TEST(CheckDefinition, RefusesAPlaneWithoutNormalOrPoint) {
-  expect_error([] { check_definition({"ear", PointNormalDefinition{{0, 0, 0}, {0, 0, 0}}}); },
-               ErrorCode::slide_degenerate, {"'ear'", "normal is zero"});
+  expect_error(
+      [] {
+        check_definition({"ear", PointNormalDefinition{{0, 0, 0}, {0, 0, 0}}});
+      },
+      ErrorCode::slide_degenerate, {"'ear'", "normal is zero"});
   const double infinity = std::numeric_limits<double>::infinity();
-  expect_error([=] { check_definition({"ear", PointNormalDefinition{{0, 0, infinity}, {0, 0, 1}}}); },
-               ErrorCode::slide_not_finite, {"'ear'", "point"});
+  expect_error(
+      [=] {
+        check_definition({"ear", PointNormalDefinition{{0, 0, infinity}, {0, 0, 1}}});
+      },
+      ErrorCode::slide_not_finite, {"'ear'", "point"});
   EXPECT_NO_THROW(check_definition({"ear", PointNormalDefinition{{0, 0, 0}, {0, 0, 1e-300}}}));
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "host/cli/exit_code.h"
 #include "host/cli/input_error.h"
@@ -33,27 +34,18 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
-}
-
 // All that can be known to fail before the work begins.
 void check_outputs(const CageCommand& command) {
   if (command.out && !is_writable_mesh_name(*command.out)) {
     throw UsageError("-o " + command.out->string() + ": a cage is written as .obj, .off, .ply, .stl or .glb");
   }
-  std::vector<std::filesystem::path> taken = {command.model};
-  if (command.slides) taken.push_back(*command.slides);
+  std::vector<std::filesystem::path> inputs = {command.model}, outputs;
+  if (command.slides) inputs.push_back(*command.slides);
   for (const OptionalPath* output : {&command.out, &command.report, &command.picture}) {
-    if (!*output) continue;
-    for (const std::filesystem::path& other : taken) {
-      if (same_file(**output, other))
-        throw UsageError((*output)->string() + " is named twice; it would be overwritten");
-    }
-    taken.push_back(**output);
-    require_writable(**output);
+    if (*output) outputs.push_back(**output);
   }
+  require_distinct(inputs, outputs);
+  for (const std::filesystem::path& output : outputs) require_writable(output);
   if (command.picture) require_display();
 }
 

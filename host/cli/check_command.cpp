@@ -8,6 +8,7 @@
 
 #include "host/cli/exit_code.h"
 #include "host/cli/input_error.h"
+#include "host/cli/output_files.h"
 #include "host/cli/progress.h"
 #include "host/cli/run_report.h"
 #include "host/cli/text.h"
@@ -74,7 +75,10 @@ Report::Option path_option(const std::filesystem::path& path) { return path.stri
 }  // namespace
 
 int run_check(const CheckCommand& command) {
-  if (command.report) require_writable(*command.report);
+  if (command.report) {
+    require_distinct({command.model, command.cage}, {*command.report});
+    require_writable(*command.report);
+  }
   const std::shared_ptr<const Plugin> plugin = Plugin::load(find_plugin(command.plugin));
   Progress progress(command.quiet);
   const cgw_mesh_report model = inspect_file(*plugin, command.model, progress);

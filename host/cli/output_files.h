@@ -5,10 +5,15 @@
 #include <filesystem>
 #include <list>
 #include <string>
+#include <vector>
 
 #include "host/file/atomic_file.h"
 
 namespace cagewright::host {
+
+// Throws UsageError where an output would overwrite an input or another output, under whatever spelling.
+void require_distinct(const std::vector<std::filesystem::path>& inputs,
+                      const std::vector<std::filesystem::path>& outputs);
 
 // The files that a run makes: all are wholly on disk under temporary names before the first gets its own, so that a
 // run that fails leaves none.

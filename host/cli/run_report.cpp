@@ -42,7 +42,7 @@ std::vector<std::pair<std::string, Report::Option>> describe_options(const CageC
 std::vector<Report::Slide> describe_slides(const Plugin& plugin, const Session& session) {
   std::vector<Report::Slide> slides;
   for (const SlideInfo& slide : session.slides()) {
-    slides.push_back({slide.name, plugin.slide_status_name(slide.info.status), slide.message});
+    slides.push_back({slide.name, plugin.status_name(slide.info.status), slide.message});
   }
   return slides;
 }
@@ -54,7 +54,7 @@ Report::Refinement describe_refinement(const Session& session, const cgw_summary
   for (const double distance : session.max_signed_distances()) {
     refinement.max_signed_distance_over_diagonal.push_back(known(distance / diagonal));
   }
-  refinement.max_signed_distance_over_diagonal.push_back(known(summary.max_signed_distance));
+  refinement.max_signed_distance_over_diagonal.push_back(known(summary.max_signed_distance_over_diagonal));
   return refinement;
 }
 

@@ -68,10 +68,7 @@ std::shared_ptr<const Plugin> Plugin::load(const std::filesystem::path& path) {
 
 std::string Plugin::version() const { return text_or_empty(api_->version); }
 
-std::string Plugin::slide_status_name(cgw_status status) const {
-  // As the status of a call the same number means cancelled.
-  return status == CGW_SLIDE_UNSOLVED ? "unsolved" : text_or_empty(api_->status_name(status));
-}
+std::string Plugin::status_name(cgw_status status) const { return text_or_empty(api_->status_name(status)); }
 
 std::vector<Parameter> Plugin::parameters() const {
   std::vector<Parameter> parameters;
@@ -110,8 +107,7 @@ void Plugin::check(cgw_status status, const cgw_session* session, const char* ca
   cgw_error_info info = CGW_ERROR_INFO_INIT;
   if (api_->last_error_info(session, &info) != CGW_OK) info = CGW_ERROR_INFO_INIT;
   info.code = status;
-  if (sentence.empty())
-    sentence = std::string("the plug-in's ") + call + " failed (" + text_or_empty(api_->status_name(status)) + ")";
+  if (sentence.empty()) sentence = std::string("the plug-in's ") + call + " failed (" + status_name(status) + ")";
   throw PluginError(info, sentence);
 }
 

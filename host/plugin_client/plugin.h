@@ -30,8 +30,8 @@ class Plugin {
   const cgw_api& api() const { return *api_; }
   const std::filesystem::path& path() const { return path_; }
   std::string version() const;
-  // "ok", "unsolved", or the name of the error that blames the slide.
-  std::string slide_status_name(cgw_status status) const;
+  // Of a call or a slide: "ok", "unsolved", "slides_touch" ...
+  std::string status_name(cgw_status status) const;
 
   // In the plug-in's order. Throws PluginError.
   std::vector<Parameter> parameters() const;

@@ -130,8 +130,8 @@ std::uint64_t Session::part_count() const {
 
 cgw_summary Session::summary() const {
   cgw_summary summary = CGW_SUMMARY_INIT;
-  for (double* figure : {&summary.max_signed_distance, &summary.volume_ratio, &summary.segment_ms, &summary.orient_ms,
-                         &summary.meshing_ms, &summary.refine_ms}) {
+  for (double* figure : {&summary.max_signed_distance_over_diagonal, &summary.volume_ratio, &summary.segment_ms,
+                         &summary.orient_ms, &summary.meshing_ms, &summary.refine_ms, &summary.extent}) {
     *figure = not_computed;
   }
   check(api().get_summary(session_, &summary), "get_summary");

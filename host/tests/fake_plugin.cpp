@@ -66,6 +66,8 @@ const char* status_name(cgw_status status) {
   switch (status) {
     case CGW_OK:
       return "ok";
+    case CGW_SLIDE_UNSOLVED:
+      return "unsolved";
     case CGW_ERROR_MESH_OPEN:
       return "mesh_open";
     case CGW_ERROR_INTERNAL:
@@ -279,12 +281,13 @@ cgw_status get_summary(const cgw_session*, cgw_summary* out) {
   summary.last_stage = CGW_STAGE_REFINE;
   summary.iterations = 2;
   summary.converged = 1;
-  summary.max_signed_distance = 0.0005;
+  summary.max_signed_distance_over_diagonal = 0.0005;
   summary.volume_ratio = 1.5;
   summary.segment_ms = 1;
   summary.orient_ms = 2;
   summary.meshing_ms = std::numeric_limits<double>::quiet_NaN();
   summary.refine_ms = 4;
+  summary.extent = 1.75;
   const std::size_t known = asked("short_summary") ? offsetof(cgw_summary, volume_ratio) : sizeof(cgw_summary);
   std::memcpy(out, &summary, std::min<std::size_t>(out->struct_size, known));
   return CGW_OK;

@@ -91,6 +91,7 @@ TEST(Session, GivesTheCageAndItsFigures) {
   EXPECT_EQ(session.sections().size(), 1u);
   EXPECT_EQ(session.max_signed_distances(), (std::vector<double>{0.5, 0.25}));
   EXPECT_EQ(session.summary().volume_ratio, 1.5);
+  EXPECT_EQ(session.summary().extent, 1.75);
   ASSERT_EQ(session.slides().size(), 1u);
   EXPECT_EQ(session.slides()[0].name, "a");
 }
@@ -98,9 +99,10 @@ TEST(Session, GivesTheCageAndItsFigures) {
 TEST(Session, FiguresThatAnOlderPluginDoesNotKnowAreNotANumber) {
   const Environment environment("CAGEWRIGHT_FAKE", "short_summary");
   Session session(fake(), {});
-  EXPECT_EQ(session.summary().max_signed_distance, 0.0005);
+  EXPECT_EQ(session.summary().max_signed_distance_over_diagonal, 0.0005);
   EXPECT_TRUE(std::isnan(session.summary().volume_ratio));
   EXPECT_TRUE(std::isnan(session.summary().refine_ms));
+  EXPECT_TRUE(std::isnan(session.summary().extent));
 }
 
 TEST(Session, ErrorsCarryStatusSentenceAndBlame) {

@@ -114,6 +114,7 @@ TEST_F(ProgramTest, ExitsWith2ForWrongUsageAndSaysWhat) {
   expect({"cage", at("m.off"), "-o", at("cage.fbx")}, "cage.fbx");
   expect({"cage", at("m.off"), "-o", at("m.off")}, "m.off is named twice");
   expect({"cage", at("m.off"), "-o", at("a.obj"), "--report", at("./a.obj")}, "a.obj is named twice");
+  expect({"check", at("m.off"), at("c.off"), "--report", at("m.off")}, "m.off is named twice");
   expect({"view"}, "not part of this version");
   expect({"validate", "scene.glb", "--all"}, "not part of this version");
   EXPECT_EQ(folder.names(), (Names{"m.off", "s.json"}));

@@ -51,7 +51,13 @@ cgw_status session_create(const cgw_host* host, cgw_session** out) {
   });
 }
 
-void session_destroy(cgw_session* session) { delete session; }
+void session_destroy(cgw_session* session) {
+  if (!session) return;
+  guard(thread_error(), [&] {
+    { const Call no_other(session->busy); }
+    delete session;
+  });
+}
 
 const char* last_error(const cgw_session* session) { return error_of(session).sentence; }
 
@@ -109,7 +115,11 @@ cgw_status slide_remove(cgw_session* session, std::uint64_t id) {
   return guard_session(session, [&](cgw_session& s) { s.slides.remove(id); });
 }
 
-std::uint64_t slide_count(const cgw_session* session) { return session ? session->slides.size() : 0; }
+std::uint64_t slide_count(const cgw_session* session) {
+  std::uint64_t count = 0;
+  guard_session(session, [&](const cgw_session& s) { count = s.slides.size(); });
+  return count;
+}
 
 cgw_status slide_info(const cgw_session* session, std::uint64_t index, cgw_slide_info* out) {
   return guard_session(session, [&](const cgw_session& s) { read_slide(s, index, out); });
@@ -124,7 +134,9 @@ cgw_status get_parts(const cgw_session* session, cgw_parts* out) {
 }
 
 std::uint64_t section_count(const cgw_session* session) {
-  return session ? cagewright::plugin::section_count(*session) : 0;
+  std::uint64_t count = 0;
+  guard_session(session, [&](const cgw_session& s) { count = cagewright::plugin::section_count(s); });
+  return count;
 }
 
 cgw_status get_section(const cgw_session* session, std::uint64_t index, cgw_section* out) {
@@ -140,7 +152,9 @@ cgw_status get_cage(const cgw_session* session, cgw_cage* out) {
 }
 
 std::uint64_t iteration_count(const cgw_session* session) {
-  return session ? cagewright::plugin::iteration_count(*session) : 0;
+  std::uint64_t count = 0;
+  guard_session(session, [&](const cgw_session& s) { count = cagewright::plugin::iteration_count(s); });
+  return count;
 }
 
 cgw_status get_iteration(const cgw_session* session, std::uint64_t index, cgw_iteration* out) {

@@ -6,6 +6,8 @@
 #include <new>
 #include <optional>
 
+#include "plugin/src/names.h"
+
 namespace cagewright::plugin {
 
 namespace {
@@ -29,50 +31,12 @@ AbiError::AbiError(cgw_status code, const std::string& sentence) : AbiError(info
 AbiError::AbiError(const cgw_error_info& info, const std::string& sentence)
     : std::runtime_error(sentence), info_(info) {}
 
-cgw_status status_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::cancelled:
-      return CGW_CANCELLED;
-    case ErrorCode::internal:
-      return CGW_ERROR_INTERNAL;
-    case ErrorCode::mesh_empty:
-      return CGW_ERROR_MESH_EMPTY;
-    case ErrorCode::mesh_not_finite:
-      return CGW_ERROR_MESH_NOT_FINITE;
-    case ErrorCode::mesh_index:
-      return CGW_ERROR_MESH_INDEX;
-    case ErrorCode::mesh_open:
-      return CGW_ERROR_MESH_OPEN;
-    case ErrorCode::mesh_non_manifold:
-      return CGW_ERROR_MESH_NON_MANIFOLD;
-    case ErrorCode::mesh_not_orientable:
-      return CGW_ERROR_MESH_NOT_ORIENTABLE;
-    case ErrorCode::stroke_too_short:
-      return CGW_ERROR_STROKE_TOO_SHORT;
-    case ErrorCode::stroke_collinear:
-      return CGW_ERROR_STROKE_COLLINEAR;
-    case ErrorCode::stroke_no_ellipse:
-      return CGW_ERROR_STROKE_NO_ELLIPSE;
-    case ErrorCode::slide_not_finite:
-      return CGW_ERROR_SLIDE_NOT_FINITE;
-    case ErrorCode::slide_degenerate:
-      return CGW_ERROR_SLIDE_DEGENERATE;
-    case ErrorCode::slide_misses_model:
-      return CGW_ERROR_SLIDE_MISSES_MODEL;
-    case ErrorCode::slide_not_enclosed:
-      return CGW_ERROR_SLIDE_NOT_ENCLOSED;
-    case ErrorCode::slides_touch:
-      return CGW_ERROR_SLIDES_TOUCH;
-    case ErrorCode::part_sees_slide_twice:
-      return CGW_ERROR_PART_SEES_SLIDE_TWICE;
-    case ErrorCode::sections_overlap:
-      return CGW_ERROR_SECTIONS_OVERLAP;
-    case ErrorCode::parts_share_wall:
-      return CGW_ERROR_PARTS_SHARE_WALL;
-    case ErrorCode::refine_diverged:
-      return CGW_ERROR_REFINE_DIVERGED;
+Call::Call(std::atomic<bool>& busy) : busy_(busy) {
+  if (busy_.exchange(true)) {
+    throw AbiError(CGW_ERROR_INVALID_ARGUMENT,
+                   "the session is in another call; do not call it from its own log, progress or stream function, nor "
+                   "from two threads at once");
   }
-  return CGW_ERROR_INTERNAL;
 }
 
 AbiError to_abi_error(const Error& error, std::span<const std::uint64_t> ids) {

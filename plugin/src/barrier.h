@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -22,9 +24,6 @@ class AbiError : public std::runtime_error {
  private:
   cgw_error_info info_ = CGW_ERROR_INFO_INIT;
 };
-
-// The frozen status of the C ABI for an error of the core.
-cgw_status status_of(ErrorCode code);
 
 // An error of the core in the terms of the C ABI. `ids[k]` is the id of the slide that the core knows as k; a slide
 // that is not there becomes CGW_NO_ID.
@@ -58,14 +57,29 @@ cgw_status guard(LastError& error, Body&& body) noexcept {
   }
 }
 
-// The same for an entry that needs a session (const or not): body(session). NULL is told to the thread.
+// Marks a session as busy as long as it lives.
+class Call {
+ public:
+  // Throws AbiError(INVALID_ARGUMENT) where the session is busy already.
+  explicit Call(std::atomic<bool>& busy);
+  ~Call() { busy_ = false; }
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+ private:
+  std::atomic<bool>& busy_;
+};
+
+// The same for an entry that needs a session (const or not): body(session). That it is NULL or busy is told to the
+// thread: the session's error belongs to the call that it is busy with.
 template <class Session, class Body>
 cgw_status guard_session(Session* session, Body&& body) noexcept {
-  if (!session) {
-    return guard(thread_error(), [] {
-      throw AbiError(CGW_ERROR_INVALID_ARGUMENT, "the session is NULL; make one with session_create");
-    });
-  }
+  std::optional<Call> call;
+  const cgw_status entered = guard(thread_error(), [&] {
+    if (!session) throw AbiError(CGW_ERROR_INVALID_ARGUMENT, "the session is NULL; make one with session_create");
+    call.emplace(session->busy);
+  });
+  if (entered != CGW_OK) return entered;
   return guard(session->last_error, [&] { std::forward<Body>(body)(*session); });
 }
 

@@ -28,8 +28,7 @@ constexpr double default_lambda = PipelineOptions{}.lambda;
 constexpr RefineOptions default_refine{};
 
 constexpr const char* scope_names[] = {"local", "part"};  // in the order of RefineScope
-constexpr const char* enclose_names[] = {"certify", "off"};
-constexpr double enclose_certify = 0, enclose_off = 1;
+constexpr const char* enclose_names[] = {"off"};
 
 constexpr cgw_parameter number(std::int32_t type, const char* id, const char* label, const char* doc, const char* unit,
                                double default_value, double minimum, double maximum) {
@@ -64,7 +63,7 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
            "Weight in equation (8) of triangles that still have to move over those that bound; 1 is the paper", "",
            default_refine.push, 1, 1e6),
     choice("enclose.mode", "Certificate", "Prove that the cage encloses the model; this version offers off only",
-           enclose_names, enclose_off),
+           enclose_names, 0),
 };
 
 std::string to_text(double value) {
@@ -100,8 +99,10 @@ std::string range_of(const cgw_parameter& parameter) {
 }
 
 [[noreturn]] void refuse(const cgw_parameter& parameter, const std::string& given) {
-  throw AbiError(CGW_ERROR_PARAMETER_OUT_OF_RANGE, "parameter '" + std::string(parameter.id) + "': " + given +
-                                                       " will not do; it has to be " + range_of(parameter));
+  const bool is_enclose = &parameter == &parameters[enclose_mode];
+  throw AbiError(CGW_ERROR_PARAMETER_OUT_OF_RANGE,
+                 "parameter '" + std::string(parameter.id) + "': " + given + " will not do; it has to be " +
+                     range_of(parameter) + (is_enclose ? ", for this version has no certificate stage" : ""));
 }
 
 std::size_t index_of(std::string_view id) {
@@ -118,10 +119,6 @@ void check(std::size_t index, double value, const std::string& given) {
   const cgw_parameter& parameter = parameters[index];
   if (!(value >= parameter.minimum && value <= parameter.maximum)) refuse(parameter, given);
   if (parameter.type != CGW_PARAM_REAL && value != std::floor(value)) refuse(parameter, given);
-  if (index == enclose_mode && value == enclose_certify) {
-    throw AbiError(CGW_ERROR_PARAMETER_OUT_OF_RANGE,
-                   "parameter 'enclose.mode': this version has no certificate stage yet; leave it off");
-  }
 }
 
 double parse(const cgw_parameter& parameter, std::string_view text) {

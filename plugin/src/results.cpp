@@ -53,11 +53,23 @@ void copy_vector(const Vector3& from, double* to) { std::copy_n(from.data(), 3, 
 
 std::uint64_t rows(const auto& matrix) { return static_cast<std::uint64_t>(matrix.rows()); }
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+void copy_centers(const PipelineResult& made, double* to) {
+  if (!to) return;
+  const std::vector<Part>& parts = made.segmentation.parts;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const bool has_center = made.cage && !parts[k].enclosed;
+    copy_vector(has_center ? made.cage->part_center[k] : Vector3(Vector3::Constant(unknown)), to + 3 * k);
+  }
+}
+
 }  // namespace
 
 void read_parts(const cgw_session& session, cgw_parts* out) {
   cgw_parts parts = read_struct<cgw_parts>(out, CGW_PARTS_INIT, "cgw_parts");
-  const Segmentation& segmentation = results_of(session, "segmentation").made.segmentation;
+  const PipelineResult& made = results_of(session, "segmentation").made;
+  const Segmentation& segmentation = made.segmentation;
   parts.part_count = segmentation.parts.size();
   parts.vertex_count = rows(segmentation.cut.points);
   parts.triangle_count = rows(segmentation.cut.triangles);
@@ -66,13 +78,17 @@ void read_parts(const cgw_session& session, cgw_parts* out) {
   check_room(parts.triangles, parts.triangle_capacity, parts.triangle_count, "triangles");
   check_room(parts.triangle_part, parts.triangle_capacity, parts.triangle_count, "triangles' parts");
   check_room(parts.section_count, parts.part_capacity, parts.part_count, "parts' section counts");
+  check_room(parts.part_flags, parts.part_capacity, parts.part_count, "parts' flags");
+  check_room(parts.part_center, parts.part_capacity, parts.part_count, "parts' centres");
   copy_rows(segmentation.cut.points, parts.vertices);
   copy_rows(segmentation.cut.triangles, parts.triangles);
   copy_list(segmentation.triangle_part, parts.triangle_part);
-  if (parts.section_count) {
-    std::transform(segmentation.parts.begin(), segmentation.parts.end(), parts.section_count,
-                   [](const Part& part) { return static_cast<std::uint32_t>(part.sections.size()); });
+  for (std::size_t k = 0; k < segmentation.parts.size(); ++k) {
+    const Part& part = segmentation.parts[k];
+    if (parts.section_count) parts.section_count[k] = static_cast<std::uint32_t>(part.sections.size());
+    if (parts.part_flags) parts.part_flags[k] = part.enclosed ? CGW_PART_ENCLOSED : 0;
   }
+  copy_centers(made, parts.part_center);
 }
 
 std::uint64_t section_count(const cgw_session& session) noexcept {
@@ -87,9 +103,13 @@ void read_section(const cgw_session& session, std::uint64_t index, cgw_section* 
   section.slide = results.slide_ids[index];
   section.part_behind = results.made.segmentation.slide_parts[index][0];
   section.part_ahead = results.made.segmentation.slide_parts[index][1];
+  const Ellipse& ellipse = results.made.segmentation.ellipses[index];
+  copy_vector(ellipse.center, section.center);
+  copy_vector(ellipse.normal, section.normal);
+  copy_vector(ellipse.u, section.u);
+  copy_vector(ellipse.v, section.v);
   if (results.made.last_stage >= Stage::orient) {
     const SectionFrame& frame = results.made.sections[index];
-    copy_vector(frame.center, section.center);
     copy_vector(frame.p, section.p);
     copy_vector(frame.q, section.q);
     std::copy_n(frame.x.data(), 2, section.x);
@@ -182,14 +202,15 @@ void read_summary(const cgw_session& session, cgw_summary* out) {
   common_size(out, "cgw_summary");
   const Results& results = results_of(session, "summary");
   const PipelineResult& made = results.made;
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto time = [&](Stage stage, double ms) { return stage <= made.last_stage ? ms : unknown; };
   cgw_summary summary = CGW_SUMMARY_INIT;
   summary.last_stage = static_cast<std::int32_t>(made.last_stage);
   summary.iterations = iteration_count(session);
   summary.converged = made.refinement && made.refinement->converged;
   summary.threads = results.threads;
-  summary.max_signed_distance = made.refinement ? made.refinement->max_signed_distance / results.diagonal : unknown;
+  summary.max_signed_distance_over_diagonal =
+      made.refinement ? made.refinement->max_signed_distance / results.diagonal : unknown;
+  summary.extent = made.refinement ? made.refinement->extent : unknown;
   summary.volume_ratio = made.volume_ratio.value_or(unknown);
   summary.cage_genus = made.cage_genus.value_or(-1);
   summary.segment_ms = time(Stage::segment, made.segment_ms);

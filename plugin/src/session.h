@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -19,7 +20,7 @@ struct Results {
   PipelineResult made;
   std::vector<std::uint64_t> slide_ids;  // of the slides at the time, in the order of the sections
   double diagonal = 0;                   // of the model, model units
-  unsigned threads = 0;                  // used
+  unsigned threads = 0;                  // that the solve could use
 };
 
 // Writes to the host's log where it has one. Not noexcept: what a host throws goes to the barrier.
@@ -38,6 +39,7 @@ struct cgw_session {
   std::unique_ptr<const cagewright::Model> model;              // NULL before set_mesh
   std::unique_ptr<const cagewright::plugin::Results> results;  // NULL before the first good solve
   mutable cagewright::plugin::LastError last_error;            // reading calls can fail, too
+  mutable std::atomic<bool> busy = false;                      // a call is running
 };
 
 namespace cagewright::plugin {

@@ -12,6 +12,8 @@ namespace cagewright::plugin {
 
 namespace {
 
+constexpr unsigned most_threads = 256;  // more would only wait for each other
+
 cgw_solve_options checked(const cgw_solve_options* given) {
   const cgw_solve_options defaults = CGW_SOLVE_OPTIONS_INIT;
   const cgw_solve_options options = given ? read_struct(given, defaults, "cgw_solve_options") : defaults;
@@ -41,12 +43,12 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
   const cgw_solve_options asked = checked(given);
   PipelineOptions options = session.parameters.options(asked.editing == 1);
   options.last_stage = static_cast<Stage>(asked.last_stage);
-  options.refine.threads = asked.threads;
+  options.refine.threads = std::min(thread_count(asked.threads), most_threads);
 
   auto results = std::make_unique<Results>();
   results->slide_ids = session.slides.ids();
   results->diagonal = model_of(session).diagonal;
-  results->threads = thread_count(asked.threads);
+  results->threads = options.refine.threads;
   try {
     results->made = make_cage(model_of(session), session.slides.definitions(), options, progress_of(session.host));
   } catch (const Error& error) {

@@ -248,6 +248,7 @@ void load_state(cgw_session& session, const cgw_stream* given) {
   state.slides.reserve_ids_below(session.slides.next_id());
   session.parameters = state.parameters;
   session.slides = std::move(state.slides);
+  session.results.reset();  // their ids may name other slides now
 }
 
 }  // namespace cagewright::plugin

@@ -5,6 +5,9 @@
 
 #include <cstddef>
 #include <cstring>
+#include <fstream>
+#include <regex>
+#include <string>
 
 #include "plugin/tests/loaded_plugin.h"
 
@@ -13,7 +16,7 @@ namespace {
 using cagewright::plugin::test::api;
 
 static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 0);
-static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 1);
+static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 2);
 static_assert(CGW_ERROR_INTERNAL == -1 && CGW_ERROR_INVALID_ARGUMENT == -2 && CGW_ERROR_OUT_OF_MEMORY == -3);
 static_assert(CGW_ERROR_BUFFER_TOO_SMALL == -4 && CGW_ERROR_NOT_READY == -5 && CGW_ERROR_UNKNOWN_SLIDE == -6);
 static_assert(CGW_ERROR_UNKNOWN_PARAMETER == -7 && CGW_ERROR_PARAMETER_OUT_OF_RANGE == -8 && CGW_ERROR_STREAM == -9);
@@ -31,6 +34,7 @@ static_assert(CGW_ERROR_STATE_FINGERPRINT == -83);
 static_assert(CGW_LOG_DEBUG == 0 && CGW_LOG_INFO == 1 && CGW_LOG_WARNING == 2 && CGW_LOG_ERROR == 3);
 static_assert(CGW_PARAM_REAL == 0 && CGW_PARAM_INTEGER == 1 && CGW_PARAM_BOOLEAN == 2 && CGW_PARAM_CHOICE == 3);
 static_assert(CGW_SLIDE_STROKE == 0 && CGW_SLIDE_POINT_NORMAL == 1 && CGW_SLIDE_ELLIPSE == 2);
+static_assert(CGW_PART_ENCLOSED == 1);
 static_assert(CGW_STAGE_SEGMENT == 1 && CGW_STAGE_ORIENT == 2 && CGW_STAGE_MESHING == 3 && CGW_STAGE_REFINE == 4);
 
 // A later minor version may add at the end: sizes may grow past these, offsets may not change.
@@ -114,7 +118,7 @@ SIZE(cgw_solve_options, 16);
 AT(cgw_solve_options, last_stage, 4);
 AT(cgw_solve_options, editing, 8);
 AT(cgw_solve_options, threads, 12);
-SIZE(cgw_parts, 88);
+SIZE(cgw_parts, 104);
 AT(cgw_parts, reserved, 4);
 AT(cgw_parts, part_count, 8);
 AT(cgw_parts, vertex_count, 16);
@@ -126,12 +130,14 @@ AT(cgw_parts, triangle_part, 56);
 AT(cgw_parts, triangle_capacity, 64);
 AT(cgw_parts, section_count, 72);
 AT(cgw_parts, part_capacity, 80);
+AT(cgw_parts, part_flags, 88);
+AT(cgw_parts, part_center, 96);
 SIZE(cgw_loop, 32);
 AT(cgw_loop, reserved, 4);
 AT(cgw_loop, point_count, 8);
 AT(cgw_loop, points, 16);
 AT(cgw_loop, point_capacity, 24);
-SIZE(cgw_section, 224);
+SIZE(cgw_section, 296);
 AT(cgw_section, reserved, 4);
 AT(cgw_section, slide, 8);
 AT(cgw_section, part_behind, 16);
@@ -142,6 +148,9 @@ AT(cgw_section, q, 72);
 AT(cgw_section, x, 96);
 AT(cgw_section, corners, 112);
 AT(cgw_section, cage_vertex, 208);
+AT(cgw_section, normal, 224);
+AT(cgw_section, u, 248);
+AT(cgw_section, v, 272);
 SIZE(cgw_cage, 72);
 AT(cgw_cage, reserved, 4);
 AT(cgw_cage, vertex_count, 8);
@@ -168,18 +177,19 @@ AT(cgw_iteration, weights, 88);
 AT(cgw_iteration, signed_distance, 96);
 AT(cgw_iteration, outermost, 104);
 AT(cgw_iteration, triangle_capacity, 112);
-SIZE(cgw_summary, 80);
+SIZE(cgw_summary, 88);
 AT(cgw_summary, last_stage, 4);
 AT(cgw_summary, iterations, 8);
 AT(cgw_summary, converged, 16);
 AT(cgw_summary, threads, 20);
-AT(cgw_summary, max_signed_distance, 24);
+AT(cgw_summary, max_signed_distance_over_diagonal, 24);
 AT(cgw_summary, volume_ratio, 32);
 AT(cgw_summary, cage_genus, 40);
 AT(cgw_summary, segment_ms, 48);
 AT(cgw_summary, orient_ms, 56);
 AT(cgw_summary, meshing_ms, 64);
 AT(cgw_summary, refine_ms, 72);
+AT(cgw_summary, extent, 80);
 SIZE(cgw_stream, 32);
 AT(cgw_stream, reserved, 4);
 AT(cgw_stream, user, 8);
@@ -235,11 +245,41 @@ TEST(AbiTable, HasEveryFunction) {
   }
 }
 
+// What the _INIT macros leave out is 0, which is no default for these.
+TEST(AbiStructs, BeginWithDefaultsToTheirEnd) {
+  const cgw_parts parts = CGW_PARTS_INIT;
+  EXPECT_EQ(parts.part_flags, nullptr);
+  EXPECT_EQ(parts.part_center, nullptr);
+  const cgw_section section = CGW_SECTION_INIT;
+  EXPECT_EQ(section.part_ahead, -1);
+  EXPECT_EQ(section.cage_vertex[3], -1);
+  EXPECT_EQ(section.v[2], 0);
+  const cgw_summary summary = CGW_SUMMARY_INIT;
+  EXPECT_EQ(summary.cage_genus, -1);
+  EXPECT_EQ(summary.extent, 0);
+}
+
+TEST(AbiTable, NamesEveryErrorOfTheHeaderAsTheHeaderDoes) {
+  std::ifstream file(CAGEWRIGHT_ROOT "/plugin/include/cagewright/cagewright.h");
+  const std::regex definition("#define CGW_ERROR_([A-Z_]+) \\((-[0-9]+)\\).*");
+  int seen = 0;
+  std::smatch match;
+  for (std::string line; std::getline(file, line);) {
+    if (!std::regex_match(line, match, definition)) continue;
+    std::string name = match[1];
+    for (char& c : name) c = c == '_' ? c : static_cast<char>(c - 'A' + 'a');
+    EXPECT_EQ(api().status_name(std::stoi(match[2])), name);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 32);
+}
+
 TEST(AbiTable, NamesStatusesAndStages) {
   EXPECT_STREQ(api().status_name(CGW_OK), "ok");
-  EXPECT_STREQ(api().status_name(CGW_ERROR_SLIDES_TOUCH), "slides_touch");
+  EXPECT_STREQ(api().status_name(CGW_CANCELLED), "cancelled");
+  EXPECT_STREQ(api().status_name(CGW_SLIDE_UNSOLVED), "unsolved");
   EXPECT_STREQ(api().status_name(-1000), "unknown");
-  EXPECT_STREQ(api().status_name(2), "unknown");
+  EXPECT_STREQ(api().status_name(3), "unknown");
   EXPECT_STREQ(api().stage_name(CGW_STAGE_SEGMENT), "segment");
   EXPECT_STREQ(api().stage_name(CGW_STAGE_REFINE), "refine");
   EXPECT_STREQ(api().stage_name(0), "unknown");

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "plugin/tests/loaded_plugin.h"
@@ -168,6 +170,95 @@ TEST(AbiResults, PartsCoverTheCutModel) {
   for (const std::uint32_t vertex : triangles) ASSERT_LT(vertex, parts.vertex_count);
 }
 
+struct PartFigures {
+  std::vector<std::uint32_t> sections, flags;
+  std::vector<double> center;
+};
+
+PartFigures part_figures(const Session& session) {
+  cgw_parts parts = CGW_PARTS_INIT;
+  EXPECT_EQ(api().get_parts(session, &parts), CGW_OK) << session.error();
+  const std::uint64_t count = parts.part_count;
+  PartFigures figures{std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count, 99),
+                      std::vector<double>(3 * count)};
+  parts.section_count = figures.sections.data();
+  parts.part_flags = figures.flags.data();
+  parts.part_center = figures.center.data();
+  parts.part_capacity = count - 1;
+  EXPECT_EQ(api().get_parts(session, &parts), CGW_ERROR_BUFFER_TOO_SMALL);
+  EXPECT_EQ(figures.flags, std::vector<std::uint32_t>(count, 99));
+  parts.part_capacity = count;
+  EXPECT_EQ(api().get_parts(session, &parts), CGW_OK) << session.error();
+  return figures;
+}
+
+void solve_up_to(const Session& session, std::int32_t stage) {
+  cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
+  options.last_stage = stage;
+  ASSERT_EQ(api().solve(session, &options), CGW_OK) << session.error();
+}
+
+TEST(AbiResults, PartCentersSeeEveryTriangleOfTheirPartFromInside) {
+  const SolvedCapsule solved;
+  solve_up_to(solved.session, CGW_STAGE_ORIENT);
+  for (const double x : part_figures(solved.session).center) EXPECT_TRUE(std::isnan(x));
+  solve_up_to(solved.session, CGW_STAGE_MESHING);
+  const PartFigures figures = part_figures(solved.session);
+  EXPECT_EQ(figures.flags, std::vector<std::uint32_t>(4, 0));
+  Cage cage = cage_of(solved.session);
+  std::vector<std::int32_t> part(cage.triangles.size() / 3);
+  cgw_cage view = CGW_CAGE_INIT;
+  view.triangle_part = part.data();
+  view.triangle_capacity = part.size();
+  ASSERT_EQ(api().get_cage(solved.session, &view), CGW_OK);
+  std::vector<int> behind(4), ahead(4);  // corners of the part on either side of its centre, along the capsule
+  for (std::size_t t = 0; t < part.size(); ++t) {
+    double edge[3][3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        edge[i][c] = cage.vertices[3 * cage.triangles[3 * t + i] + c] -
+                     figures.center[3 * static_cast<std::size_t>(part[t]) + c];
+      }
+    }
+    for (const auto& corner : edge) ++(corner[0] < 0 ? behind : ahead)[static_cast<std::size_t>(part[t])];
+    const auto& [a, b, c] = edge;
+    EXPECT_GT(
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]), 0)
+        << "triangle " << t;
+  }
+  for (std::size_t p = 0; p < 4; ++p) EXPECT_TRUE(behind[p] > 0 && ahead[p] > 0) << "it is the centre of another part";
+}
+
+// A tetrahedron of size 0.3 with its right angle at (x, y, 0) as a component of its own.
+void add_tetrahedron(Mesh& mesh, double x, double y) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
+  const Mesh small = tetrahedron();
+  for (std::size_t k = 0; k < small.vertices.size(); ++k)
+    mesh.vertices.push_back(0.3 * small.vertices[k] + (k % 3 == 0 ? x : k % 3 == 1 ? y : 0));
+  for (const std::uint32_t vertex : small.triangles) mesh.triangles.push_back(first + vertex);
+}
+
+TEST(AbiResults, TellWhichPartIsEnclosedAndHasNoCage) {
+  Mesh mesh = capsule();
+  add_tetrahedron(mesh, 2, 0);   // inside
+  add_tetrahedron(mesh, 2, 10);  // far outside
+  const Session session(mesh);
+  add(session, plane("a", 5.01));
+  solve_up_to(session, CGW_STAGE_MESHING);
+  const PartFigures figures = part_figures(session);
+  ASSERT_EQ(figures.flags.size(), 4u);
+  int leaves = 0, boxes = 0, enclosed = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double* center = &figures.center[3 * k];
+    leaves += figures.sections[k] == 1 && figures.flags[k] == 0 && std::abs(center[1]) < 1;
+    boxes += figures.sections[k] == 0 && figures.flags[k] == 0 && std::abs(center[1] - 10.15) < 1e-9;
+    enclosed += figures.sections[k] == 0 && figures.flags[k] == CGW_PART_ENCLOSED && std::isnan(center[1]);
+  }
+  EXPECT_EQ(leaves, 2);
+  EXPECT_EQ(boxes, 1);
+  EXPECT_EQ(enclosed, 1);
+}
+
 TEST(AbiResults, SectionsAreRectanglesOfTheCage) {
   const SolvedCapsule solved;
   const Cage cage = cage_of(solved.session);
@@ -185,6 +276,53 @@ TEST(AbiResults, SectionsAreRectanglesOfTheCage) {
     }
     EXPECT_NEAR(section.p[0] * section.q[0] + section.p[1] * section.q[1] + section.p[2] * section.q[2], 0, 1e-9);
   }
+}
+
+double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// What a host needs to judge equation (1) by itself: the frame that x is in.
+TEST(AbiResults, SectionsSolveEquation1InTheirOwnFrame) {
+  const Session session(capsule());
+  for (const auto& [name, x, turn] : {std::tuple{"a", 1.0, 0.3}, {"b", 3.0, 0.9}, {"c", 5.0, -0.2}}) {
+    cgw_slide_input input = ellipse(name, x, 1);
+    const double u[] = {0, 1.5 * std::cos(turn), 1.5 * std::sin(turn)}, v[] = {0, -std::sin(turn), std::cos(turn)};
+    std::copy_n(u, 3, input.u);
+    std::copy_n(v, 3, input.v);
+    add(session, input);
+  }
+  ASSERT_EQ(api().solve(session, nullptr), CGW_OK) << session.error();
+  for (std::uint64_t k = 0; k < 3; ++k) {
+    cgw_section section = CGW_SECTION_INIT;
+    ASSERT_EQ(api().get_section(session, k, &section), CGW_OK);
+    const double lu = std::sqrt(dot(section.u, section.u)), lv = std::sqrt(dot(section.v, section.v));
+    EXPECT_NEAR(lu, 1.5, 1e-9);
+    EXPECT_NEAR(lv, 1, 1e-9);
+    const double four_angles = 4 * std::atan2(dot(section.p, section.v) / lv, dot(section.p, section.u) / lu);
+    const double length = std::hypot(section.x[0], section.x[1]);
+    EXPECT_GT(std::abs(section.x[1]), 1e-3 * length) << "a frame that tells something";
+    EXPECT_NEAR(std::cos(four_angles), section.x[0] / length, 1e-9);
+    EXPECT_NEAR(std::sin(four_angles), section.x[1] / length, 1e-9);
+  }
+}
+
+TEST(AbiResults, SectionsKeepTheEllipseOfTheirSolve) {
+  const Session session(capsule());
+  const std::uint64_t id = add(session, ellipse("a", 3, 1));
+  solve_up_to(session, CGW_STAGE_SEGMENT);
+  const cgw_slide_info solved = info(session, 0);
+  const cgw_slide_input moved = plane("a", 5, 1, 0.2);
+  ASSERT_EQ(api().slide_change(session, id, &moved), CGW_OK);
+  cgw_section section = CGW_SECTION_INIT;
+  ASSERT_EQ(api().get_section(session, 0, &section), CGW_OK);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(section.center[c], solved.center[c]);
+    EXPECT_EQ(section.normal[c], solved.normal[c]);
+    EXPECT_EQ(section.u[c], solved.u[c]);
+    EXPECT_EQ(section.v[c], solved.v[c]);
+    EXPECT_EQ(section.p[c], 0);
+  }
+  EXPECT_NEAR(dot(section.normal, section.normal), 1, 1e-12);
+  EXPECT_NEAR(std::sqrt(dot(section.u, section.u)), 1.2, 1e-12);
 }
 
 TEST(AbiResults, LoopsLieInTheirSlidesPlane) {
@@ -224,7 +362,8 @@ TEST(AbiResults, BeforeTheirStageAreNotMadeUp) {
   cgw_summary summary = CGW_SUMMARY_INIT;
   ASSERT_EQ(api().get_summary(session, &summary), CGW_OK);
   EXPECT_TRUE(std::isnan(summary.volume_ratio));
-  EXPECT_TRUE(std::isnan(summary.max_signed_distance));
+  EXPECT_TRUE(std::isnan(summary.max_signed_distance_over_diagonal));
+  EXPECT_TRUE(std::isnan(summary.extent));
   EXPECT_TRUE(std::isnan(summary.orient_ms));
   EXPECT_FALSE(std::isnan(summary.segment_ms));
   EXPECT_EQ(summary.cage_genus, -1);
@@ -245,6 +384,33 @@ TEST(AbiResults, WriteNoArrayWhereOneIsTooSmallButSetTheCounts) {
   EXPECT_EQ(cage.triangle_count, 36u);
   EXPECT_EQ(vertices, std::vector<double>(60, -7));
   EXPECT_EQ(triangles, std::vector<std::uint32_t>(3, 7));
+}
+
+TEST(AbiResults, LetTheHostJudgeEquation9) {
+  const SolvedCapsule solved;
+  const Session& s = solved.session;
+  cgw_mesh_report report = CGW_MESH_REPORT_INIT;
+  ASSERT_EQ(api().mesh_report(s, &report), CGW_OK);
+  std::set<std::uint32_t> seen;
+  for (const double iterations : {0.0, 1.0, 30.0}) {
+    ASSERT_EQ(api().set_parameter(s, "refine.iterations", iterations), CGW_OK);
+    ASSERT_EQ(api().set_parameter(s, "refine.delta", 0.01), CGW_OK);
+    ASSERT_EQ(api().solve(s, nullptr), CGW_OK) << s.error();
+    cgw_summary summary = CGW_SUMMARY_INIT;
+    ASSERT_EQ(api().get_summary(s, &summary), CGW_OK);
+    EXPECT_NEAR(summary.extent, 8, 1e-9) << "from pole to pole";
+    EXPECT_LE(summary.extent, report.diagonal);
+    const double missing = std::abs(-summary.max_signed_distance_over_diagonal - 0.01) * report.diagonal;
+    EXPECT_EQ(summary.converged, missing <= 0.001 * summary.extent ? 1u : 0u) << missing;
+    seen.insert(summary.converged);
+    for (std::uint64_t k = 0; k < api().iteration_count(s); ++k) {
+      cgw_iteration iteration = CGW_ITERATION_INIT;
+      ASSERT_EQ(api().get_iteration(s, k, &iteration), CGW_OK);
+      EXPECT_GT(std::abs(-iteration.max_signed_distance - 0.01 * report.diagonal), 0.001 * summary.extent)
+          << "step " << k << " was needed";
+    }
+  }
+  EXPECT_EQ(seen.size(), 2u);
 }
 
 TEST(AbiResults, IterationsFollowEachOther) {

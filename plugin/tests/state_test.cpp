@@ -122,6 +122,25 @@ TEST(AbiState, BringsBackTheSameCage) {
   EXPECT_EQ(cage_of(other), cage_of(solved.session));
 }
 
+TEST(AbiState, DropsResultsWhereItIsLoadedAndOnlyThere) {
+  const Rich rich;
+  const SolvedCapsule solved;
+  Bytes damaged = saved(rich.session);
+  damaged.back() ^= 1;
+  ASSERT_EQ(load(solved.session, damaged), CGW_ERROR_STATE_CORRUPT);
+  EXPECT_EQ(api().section_count(solved.session), 3u);
+  ASSERT_EQ(load(solved.session, saved(rich.session)), CGW_OK) << solved.session.error();
+  EXPECT_EQ(info(solved.session, 0).id, solved.middle) << "what made the results useless: an id that changed its slide";
+  EXPECT_STREQ(info(solved.session, 0).name, "stroke");
+  EXPECT_EQ(info(solved.session, 0).status, CGW_SLIDE_UNSOLVED);
+  EXPECT_EQ(api().section_count(solved.session), 0u);
+  EXPECT_EQ(api().iteration_count(solved.session), 0u);
+  cgw_section section = CGW_SECTION_INIT;
+  EXPECT_EQ(api().get_section(solved.session, 0, &section), CGW_ERROR_NOT_READY);
+  cgw_cage cage = CGW_CAGE_INIT;
+  EXPECT_EQ(api().get_cage(solved.session, &cage), CGW_ERROR_NOT_READY);
+}
+
 TEST(AbiState, NeedsTheModelItWasMadeFor) {
   const Rich rich;
   const Session without;

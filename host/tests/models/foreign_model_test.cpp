@@ -51,7 +51,7 @@ TEST(PinchedModel, IsSplitAtItsBowTies) {
   const CageRun result = make_cage(folder, file, folder / "none.json");
   ASSERT_EQ(result.run.exit_code, 0) << result.run.errors;
   EXPECT_NE(result.run.errors.find("2 vertices join several fans"), std::string::npos) << result.run.errors;
-  EXPECT_EQ(result.report["model"]["closed"], true);
+  EXPECT_EQ(result.report()["model"]["closed"], true);
   EXPECT_EQ(facts_of(result.cage).unpaired_edges, 0u);
   EXPECT_EQ(facts_of(result.cage).torn_vertices, 0u);
   EXPECT_EQ(facts_of(result.cage).euler, 2);
@@ -100,7 +100,7 @@ TEST_F(HandMadeCage, ModelThatIsInsideOutIsTurnedAndSaidToBe) {
   const CageRun result = make_cage(folder, mvc_cages / "horse/horse.obj", folder / "none.json");
   ASSERT_EQ(result.run.exit_code, 0) << result.run.errors;
   EXPECT_NE(result.run.errors.find("inside out"), std::string::npos) << result.run.errors;
-  EXPECT_GT(result.report["tightness"]["volume_ratio"], 1);
+  EXPECT_GT(result.report()["tightness"]["volume_ratio"], 1);
   EXPECT_GT(facts_of(result.cage).volume, 0);
 }
 

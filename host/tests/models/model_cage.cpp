@@ -57,7 +57,7 @@ CageRun make_cage(const TemporaryFolder& folder, const std::filesystem::path& mo
   CageRun result;
   result.run = run_program(arguments);
   if (result.run.exit_code != 0) return result;
-  result.report = nlohmann::json::parse(folder.read("report.json"));
+  result.report_bytes = folder.read("report.json");
   result.cage_bytes = folder.read("cage.obj");
   result.cage = obj_surface(result.cage_bytes);
   return result;

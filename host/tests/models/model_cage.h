@@ -36,9 +36,10 @@ const Model& model_named(const std::string& name);
 // What one run of `cagewright cage` left; empty where it failed.
 struct CageRun {
   ProgramRun run;
-  nlohmann::json report;
-  std::string cage_bytes;
+  std::string report_bytes, cage_bytes;
   Surface cage;
+
+  nlohmann::json report() const { return nlohmann::json::parse(report_bytes); }
 };
 
 // `cagewright cage MODEL --slides SLIDES` with the plug-in that the program finds by itself. Its files are in `folder`,

@@ -29,7 +29,8 @@ nlohmann::json ask_oracle(const std::filesystem::path& model, const std::filesys
   if (pipe == nullptr) throw std::runtime_error("the oracle does not start");
   std::string output;
   std::array<char, 4096> bytes;
-  for (std::size_t got; (got = std::fread(bytes.data(), 1, bytes.size(), pipe)) > 0;) output.append(bytes.data(), got);
+  std::size_t got = 0;
+  while ((got = std::fread(bytes.data(), 1, bytes.size(), pipe)) > 0) output.append(bytes.data(), got);
   if (::pclose(pipe) != 0) throw std::runtime_error("the oracle failed: " + command);
   return nlohmann::json::parse(output);
 }

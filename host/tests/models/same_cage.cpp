@@ -24,7 +24,7 @@ std::vector<std::array<std::size_t, 3>> sorted_triangles(const Surface& surface,
   std::vector<std::array<std::size_t, 3>> result;
   for (const auto& [a, b, c] : surface.triangles) {
     std::array<std::size_t, 3> triangle = {new_index[a], new_index[b], new_index[c]};
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     result.push_back(triangle);
   }
   std::ranges::sort(result);

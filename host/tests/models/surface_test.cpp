@@ -53,7 +53,7 @@ TEST(SurfaceFacts, SeeATriangleThatIsThereTwice) {
 TEST(SurfaceFacts, SeeTwoFansAtOneVertexAndAVertexWithout) {
   Surface tie = octahedron();
   const Surface other = octahedron();
-  for (const Eigen::Vector3d& point : other.vertices) tie.vertices.push_back(point + Eigen::Vector3d(2, 0, 0));
+  for (const Eigen::Vector3d& point : other.vertices) tie.vertices.emplace_back(point + Eigen::Vector3d(2, 0, 0));
   for (auto triangle : other.triangles) {
     for (std::size_t& corner : triangle) corner = corner == 1 ? 0 : corner + 6;
     tie.triangles.push_back(triangle);

@@ -48,7 +48,8 @@ typedef int32_t cgw_status;
 
 /* Misuse of the ABI. */
 #define CGW_ERROR_INTERNAL (-1)         /* a defect of the plug-in; the sentence says where */
-#define CGW_ERROR_INVALID_ARGUMENT (-2) /* a required pointer is NULL, a struct_size is too small, a kind is unknown */
+#define CGW_ERROR_INVALID_ARGUMENT (-2) /* a required pointer is NULL, a struct_size is too small, a kind is unknown, a
+                                           host's function called into the session that called it */
 #define CGW_ERROR_OUT_OF_MEMORY (-3)
 #define CGW_ERROR_BUFFER_TOO_SMALL (-4)
 #define CGW_ERROR_NOT_READY (-5)           /* asked for a result that no successful solve has made yet */
@@ -111,14 +112,17 @@ typedef struct cgw_error_info {
 #define CGW_LOG_WARNING 2
 #define CGW_LOG_ERROR 3
 
-/* Every function may be NULL. All are called on the thread that called into the plug-in, never after that call ends. */
+/* Every function may be NULL. All are called on the thread that called into the plug-in, never after that call ends.
+   They, and those of cgw_stream, must not call into the session whose call they are part of. Such a call is refused
+   with CGW_ERROR_INVALID_ARGUMENT and changes nothing (last_error(NULL) has the sentence); session_destroy does nothing,
+   the functions that count give 0. Other sessions, and functions without a session, may be called. */
 typedef struct cgw_host {
   uint32_t struct_size;
   uint32_t reserved;
   void* user; /* handed back as the first argument */
   void (*log)(void* user, int32_t level, const char* message);
-  /* fraction in [0, 1] of the whole solve, never falling; stage as in cgw_stage_name. Nonzero return cancels: the solve
-     ends with CGW_CANCELLED within one refinement iteration or one slide's cut, whichever is running. */
+  /* fraction in [0, 1] of the whole solve, never falling; stage as in stage_name. Nonzero return cancels: the solve
+     ends with CGW_CANCELLED within one refinement iteration, one slide's cut, or one of the short stages between. */
   int32_t (*progress)(void* user, double fraction, const char* stage);
   /* An extension table of the host by versioned id, or NULL. None is defined in version 1.0. */
   const void* (*get_extension)(void* user, const char* id);
@@ -204,13 +208,14 @@ typedef struct cgw_slide_input {
 } cgw_slide_input;
 #define CGW_SLIDE_INPUT_INIT {(uint32_t)sizeof(cgw_slide_input), 0, NULL, NULL, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}
 
-#define CGW_SLIDE_UNSOLVED 1 /* status of a slide that no solve has looked at since it was added or changed */
+/* A cgw_status of slides only: no solve has looked at it since it was added, changed or loaded. */
+#define CGW_SLIDE_UNSOLVED 2
 
 typedef struct cgw_slide_info {
   uint32_t struct_size;
   int32_t kind;
-  uint64_t id;          /* stable: never given to another slide of the session */
-  const char* name;     /* lives until the slide is changed or removed */
+  uint64_t id;          /* stable, never given to another slide; after load_state the ids are those of the file */
+  const char* name;     /* lives until the slide is changed or removed, or load_state */
   cgw_status status;    /* CGW_OK, CGW_SLIDE_UNSOLVED, or the error of the last solve that blames this slide */
   uint32_t has_ellipse; /* 1 where the fields below are known */
   const char* message;  /* "" or the sentence; lives until the next call on the session */
@@ -232,12 +237,14 @@ typedef struct cgw_solve_options {
   uint32_t struct_size;
   int32_t last_stage; /* CGW_STAGE_*: solve up to and with this one */
   uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations */
-  uint32_t threads;   /* 0: as many as the machine has. Results are the same bits for any number. */
+  uint32_t threads;   /* 0: as many as the machine has; at most 256. Results are the same bits for any number. */
 } cgw_solve_options;
 #define CGW_SOLVE_OPTIONS_INIT {(uint32_t)sizeof(cgw_solve_options), CGW_STAGE_REFINE, 0, 0}
 
+#define CGW_PART_ENCLOSED 1u /* lies inside the rest of the model and has no cage of its own */
+
 /* The model cut along the slides. Indices of parts are from 0, in an order that does not depend on the order of the
-   model's vertices and triangles. Available after CGW_STAGE_SEGMENT. */
+   model's vertices and triangles. Available after CGW_STAGE_SEGMENT, part_center after CGW_STAGE_MESHING. */
 typedef struct cgw_parts {
   uint32_t struct_size;
   uint32_t reserved;
@@ -249,10 +256,14 @@ typedef struct cgw_parts {
   uint32_t* triangles;     /* triangle_count x 3, or NULL */
   int32_t* triangle_part;  /* triangle_count, or NULL: the part of each triangle */
   uint64_t triangle_capacity;
-  uint32_t* section_count; /* part_count, or NULL: how many slides bound the part (0: bounding box, 1: leaf) */
-  uint64_t part_capacity;
+  uint32_t* section_count; /* part_count, or NULL: how many slides bound the part. 0: its cage is its bounding box, or
+                              there is none (CGW_PART_ENCLOSED); 1: a leaf, its cage ends in a cap */
+  uint64_t part_capacity;  /* of section_count, part_flags and part_center */
+  uint32_t* part_flags;    /* part_count, or NULL: sum of CGW_PART_* */
+  double* part_center;     /* part_count x 3, or NULL: the projection centre of 3.3 (without slides: the middle of the
+                              box); NaN before CGW_STAGE_MESHING and for parts without a cage of their own */
 } cgw_parts;
-#define CGW_PARTS_INIT {(uint32_t)sizeof(cgw_parts), 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0}
+#define CGW_PARTS_INIT {(uint32_t)sizeof(cgw_parts), 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0, NULL, NULL}
 
 /* The closed loop along which a slide cuts the model. Available after CGW_STAGE_SEGMENT. */
 typedef struct cgw_loop {
@@ -264,7 +275,8 @@ typedef struct cgw_loop {
 } cgw_loop;
 #define CGW_LOOP_INIT {(uint32_t)sizeof(cgw_loop), 0, 0, NULL, 0}
 
-/* The cross section of one slide. Frame and rectangle: after CGW_STAGE_ORIENT. */
+/* The cross section of one slide. After CGW_STAGE_SEGMENT: slide, parts and the ellipse as it was at the time of the
+   solve (center, normal, u, v); after CGW_STAGE_ORIENT: p, q, x, corners, which are 0 before. */
 typedef struct cgw_section {
   uint32_t struct_size;
   uint32_t reserved;
@@ -273,12 +285,28 @@ typedef struct cgw_section {
   int32_t part_ahead;     /* the part on the side that the normal points to */
   double center[3];
   double p[3], q[3];      /* half edges of the rectangle as oriented: corners are center +- p +- q */
-  double x[2];            /* the solution of equation (1) for this slide: 4th power of p in the frame (u, v) */
+  double x[2];            /* the minimiser of equation (1) for this slide, in the frame (u, v) of this struct; the 4th
+                             power of p's direction is x / |x| */
   double corners[12];     /* 4 x 3: the rectangle's corners in the cage as it is (refined where it was refined) */
   int32_t cage_vertex[4]; /* rows of the corners in cgw_cage.vertices, or -1 before CGW_STAGE_MESHING */
+  double normal[3];       /* unit, along u x v */
+  double u[3], v[3];      /* principal radii, |u| >= |v|; as the frame (u, v) of x: their directions */
 } cgw_section;
 #define CGW_SECTION_INIT \
-  {(uint32_t)sizeof(cgw_section), 0, 0, -1, -1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0}, {0}, {-1, -1, -1, -1}}
+  {(uint32_t)sizeof(cgw_section), \
+   0, \
+   0, \
+   -1, \
+   -1, \
+   {0, 0, 0}, \
+   {0, 0, 0}, \
+   {0, 0, 0}, \
+   {0, 0}, \
+   {0}, \
+   {-1, -1, -1, -1}, \
+   {0, 0, 0}, \
+   {0, 0, 0}, \
+   {0, 0, 0}}
 
 /* The cage. Available after CGW_STAGE_MESHING. */
 typedef struct cgw_cage {
@@ -299,13 +327,15 @@ typedef struct cgw_cage {
 typedef struct cgw_iteration {
   uint32_t struct_size;
   uint32_t reserved;
-  double max_signed_distance; /* before the step, model units: the left side of (9) without delta */
+  double max_signed_distance; /* max over t of (6), before the step, in model units (cgw_summary has it over the
+                                 diagonal) */
   uint64_t vertex_count;      /* set */
   uint64_t triangle_count;    /* set */
   double* vertices_before;    /* vertex_count x 3, or NULL: u_j^(k) */
   double* vertices_after;     /* vertex_count x 3, or NULL: u_j^(k+1) */
   double* damping;            /* vertex_count, or NULL: mu_j of the term mu_j |x - u_j^(k)|^2 that is added to (8) */
-  double* plane_normal;       /* vertex_count x 3, or NULL: vertex j only moves across this unit normal; 0: free */
+  double* plane_normal;       /* vertex_count x 3, or NULL: vertex j moves only perpendicular to this unit normal; 0:
+                                 free */
   uint64_t vertex_capacity;
   double* normals;            /* triangle_count x 3, or NULL: n_t, unit */
   double* anchors;            /* triangle_count x 3, or NULL: a_t' of (7) */
@@ -323,17 +353,20 @@ typedef struct cgw_summary {
   int32_t last_stage;          /* the last stage that the solve went through */
   uint64_t iterations;         /* refinement steps taken */
   uint32_t converged;          /* 1: equation (9) is met */
-  uint32_t threads;            /* used */
-  double max_signed_distance;  /* over the diagonal, of the final cage */
+  uint32_t threads;            /* that the solve could use, at most 256; where there is less to do, fewer worked */
+  double max_signed_distance_over_diagonal; /* max over t of (6), of the final cage, over the model's diagonal */
   double volume_ratio;         /* cage volume over model volume */
-  int64_t cage_genus;          /* -1 before CGW_STAGE_MESHING */
+  int64_t cage_genus;          /* -1 before CGW_STAGE_MESHING, and where the welded cage is not manifold */
   double segment_ms, orient_ms, meshing_ms, refine_ms;
+  double extent;               /* model units: the length for D_BB in equation (9) as it was judged, all in model units:
+                                  | -max - delta | <= 0.001 extent; turns with the model, at most the diagonal */
 } cgw_summary;
-#define CGW_SUMMARY_INIT {(uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0}
+#define CGW_SUMMARY_INIT {(uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0}
 
 /* ---- streams --------------------------------------------------------------------------------------------------- */
 
-/* The host's stream. Both functions return how many bytes they moved; less than asked for means failure or the end. */
+/* The host's stream. Both functions return how many bytes they moved; less than asked for means failure or the end.
+   Neither may call into the session (see cgw_host). */
 typedef struct cgw_stream {
   uint32_t struct_size;
   uint32_t reserved;
@@ -371,7 +404,8 @@ typedef struct cgw_api {
   void (*session_destroy)(cgw_session* session);
 
   /* [one-at-a-time] The sentence of the last call on this session that failed; "" where none did. With NULL: of the
-     last call without a session on this thread. Lives until the next call on the session (on the thread). */
+     last call on this thread without a session, or refused since its session was in another call. Lives until the next
+     call on the session (on the thread). */
   const char* (*last_error)(const cgw_session* session);
   cgw_status (*last_error_info)(const cgw_session* session, cgw_error_info* out);
 
@@ -412,7 +446,8 @@ typedef struct cgw_api {
   cgw_status (*get_summary)(const cgw_session* session, cgw_summary* out);
 
   /* [one-at-a-time] Slides and parameters (not results, not the mesh) with a magic, a version, a checksum and the
-     mesh's fingerprint. load_state replaces slides and parameters; it needs the same mesh to be set.
+     mesh's fingerprint. load_state replaces slides and parameters; it needs the same mesh to be set. The slides' ids
+     are then those of the file, which may have named other slides of the session before; so results go.
      Errors: NOT_READY (no mesh), STREAM, STATE_*. */
   cgw_status (*save_state)(const cgw_session* session, const cgw_stream* stream);
   cgw_status (*load_state)(cgw_session* session, const cgw_stream* stream);
