@@ -33,8 +33,8 @@ TEST(ReportFile, HasExactlyTheDocumentedKeys) {
                                                            "vertices_outside", "encloses"}));
   EXPECT_EQ(keys(j["tightness"]),
             (std::set<std::string>{"volume_ratio", "mean_gap_over_diagonal", "max_gap_over_diagonal"}));
-  EXPECT_EQ(keys(j["timings_ms"]),
-            (std::set<std::string>{"read", "prepare", "segment", "orient", "meshing", "refine", "enclose", "write", "total"}));
+  EXPECT_EQ(keys(j["timings_ms"]), (std::set<std::string>{"read", "prepare", "segment", "orient", "meshing", "refine",
+                                                          "enclose", "write", "total"}));
 }
 
 TEST(ReportFile, WritesNullForWhatNobodyComputed) {

@@ -47,16 +47,17 @@ typedef int32_t cgw_status;
 #define CGW_CANCELLED 1 /* the host's progress function asked for it */
 
 /* Misuse of the ABI. */
-#define CGW_ERROR_INTERNAL (-1)         /* a defect of the plug-in; the sentence says where */
-#define CGW_ERROR_INVALID_ARGUMENT (-2) /* a required pointer is NULL, a struct_size is too small, a kind is unknown, a
-                                           host's function called into the session that called it */
+#define CGW_ERROR_INTERNAL (-1) /* a defect of the plug-in; the sentence says where */
+#define CGW_ERROR_INVALID_ARGUMENT                                                     \
+  (-2) /* a required pointer is NULL, a struct_size is too small, a kind is unknown, a \
+          host's function called into the session that called it */
 #define CGW_ERROR_OUT_OF_MEMORY (-3)
 #define CGW_ERROR_BUFFER_TOO_SMALL (-4)
-#define CGW_ERROR_NOT_READY (-5)           /* asked for a result that no successful solve has made yet */
-#define CGW_ERROR_UNKNOWN_SLIDE (-6)       /* no slide of that id */
-#define CGW_ERROR_UNKNOWN_PARAMETER (-7)   /* no parameter of that id */
+#define CGW_ERROR_NOT_READY (-5)         /* asked for a result that no successful solve has made yet */
+#define CGW_ERROR_UNKNOWN_SLIDE (-6)     /* no slide of that id */
+#define CGW_ERROR_UNKNOWN_PARAMETER (-7) /* no parameter of that id */
 #define CGW_ERROR_PARAMETER_OUT_OF_RANGE (-8)
-#define CGW_ERROR_STREAM (-9)              /* the host's stream reported a failure or ended early */
+#define CGW_ERROR_STREAM (-9) /* the host's stream reported a failure or ended early */
 
 /* The model. */
 #define CGW_ERROR_MESH_EMPTY (-20)
@@ -67,9 +68,9 @@ typedef int32_t cgw_status;
 #define CGW_ERROR_MESH_NOT_ORIENTABLE (-25) /* no consistent orientation exists (a Moebius band's closure) */
 
 /* One slide. */
-#define CGW_ERROR_STROKE_TOO_SHORT (-40)   /* fewer than 5 distinct points */
+#define CGW_ERROR_STROKE_TOO_SHORT (-40) /* fewer than 5 distinct points */
 #define CGW_ERROR_STROKE_COLLINEAR (-41)
-#define CGW_ERROR_STROKE_NO_ELLIPSE (-42)  /* the best conic is no ellipse */
+#define CGW_ERROR_STROKE_NO_ELLIPSE (-42) /* the best conic is no ellipse */
 #define CGW_ERROR_SLIDE_NOT_FINITE (-43)
 #define CGW_ERROR_SLIDE_DEGENERATE (-44)   /* zero normal, zero or parallel radii */
 #define CGW_ERROR_SLIDE_MISSES_MODEL (-45) /* its plane does not meet the model */
@@ -77,11 +78,11 @@ typedef int32_t cgw_status;
 #define CGW_ERROR_SLIDE_NAME (-47)         /* empty, or taken by another slide */
 
 /* Slides together. */
-#define CGW_ERROR_SLIDES_TOUCH (-60)       /* the loops of two slides touch or cross; the sentence names both */
+#define CGW_ERROR_SLIDES_TOUCH (-60)          /* the loops of two slides touch or cross; the sentence names both */
 #define CGW_ERROR_PART_SEES_SLIDE_TWICE (-61) /* a ring cut once: a part lies on both sides of the same slide */
-#define CGW_ERROR_SECTIONS_OVERLAP (-62)   /* no point of the part sees all its sections side by side from inside */
-#define CGW_ERROR_PARTS_SHARE_WALL (-63)   /* two parts between the same slides would have the same cage triangles */
-#define CGW_ERROR_REFINE_DIVERGED (-64)    /* a cage vertex left every reasonable distance; names part and slides */
+#define CGW_ERROR_SECTIONS_OVERLAP (-62)      /* no point of the part sees all its sections side by side from inside */
+#define CGW_ERROR_PARTS_SHARE_WALL (-63)      /* two parts between the same slides would have the same cage triangles */
+#define CGW_ERROR_REFINE_DIVERGED (-64)       /* a cage vertex left every reasonable distance; names part and slides */
 
 /* Saved states. */
 #define CGW_ERROR_STATE_MAGIC (-80)       /* not a saved state */
@@ -101,9 +102,12 @@ typedef struct cgw_error_info {
   uint64_t element;     /* vertex, triangle or stroke-point index as the code's comment says, or CGW_NO_ID */
   uint32_t has_point;   /* 1 where point is set */
   uint32_t reserved;
-  double point[3];      /* the place, model units */
+  double point[3]; /* the place, model units */
 } cgw_error_info;
-#define CGW_ERROR_INFO_INIT {(uint32_t)sizeof(cgw_error_info), 0, CGW_NO_ID, CGW_NO_ID, CGW_NO_ID, CGW_NO_ID, 0, 0, {0, 0, 0}}
+#define CGW_ERROR_INFO_INIT                                                                            \
+  {                                                                                                    \
+    (uint32_t)sizeof(cgw_error_info), 0, CGW_NO_ID, CGW_NO_ID, CGW_NO_ID, CGW_NO_ID, 0, 0, { 0, 0, 0 } \
+  }
 
 /* ---- the host's table ------------------------------------------------------------------------------------------ */
 
@@ -114,8 +118,8 @@ typedef struct cgw_error_info {
 
 /* Every function may be NULL. All are called on the thread that called into the plug-in, never after that call ends.
    They, and those of cgw_stream, must not call into the session whose call they are part of. Such a call is refused
-   with CGW_ERROR_INVALID_ARGUMENT and changes nothing (last_error(NULL) has the sentence); session_destroy does nothing,
-   the functions that count give 0. Other sessions, and functions without a session, may be called. */
+   with CGW_ERROR_INVALID_ARGUMENT and changes nothing (last_error(NULL) has the sentence); session_destroy does
+   nothing, the functions that count give 0. Other sessions, and functions without a session, may be called. */
 typedef struct cgw_host {
   uint32_t struct_size;
   uint32_t reserved;
@@ -127,7 +131,8 @@ typedef struct cgw_host {
   /* An extension table of the host by versioned id, or NULL. None is defined in version 1.0. */
   const void* (*get_extension)(void* user, const char* id);
 } cgw_host;
-#define CGW_HOST_INIT {(uint32_t)sizeof(cgw_host), 0, NULL, NULL, NULL, NULL}
+#define CGW_HOST_INIT \
+  { (uint32_t)sizeof(cgw_host), 0, NULL, NULL, NULL, NULL }
 
 /* ---- parameters ------------------------------------------------------------------------------------------------ */
 
@@ -139,74 +144,82 @@ typedef struct cgw_host {
 /* One parameter describes itself; hosts build panels from this. Strings live as long as the plug-in is loaded. */
 typedef struct cgw_parameter {
   uint32_t struct_size;
-  int32_t type;              /* CGW_PARAM_* */
-  const char* id;            /* "orient.lambda" */
-  const char* label;         /* "Alignment" */
-  const char* doc;           /* one line */
-  const char* unit;          /* "", "diagonal", "radian", ... */
+  int32_t type;      /* CGW_PARAM_* */
+  const char* id;    /* "orient.lambda" */
+  const char* label; /* "Alignment" */
+  const char* doc;   /* one line */
+  const char* unit;  /* "", "diagonal", "radian", ... */
   double default_value;
-  double minimum;            /* inclusive */
-  double maximum;            /* inclusive; may be +infinity */
+  double minimum;             /* inclusive */
+  double maximum;             /* inclusive; may be +infinity */
   const char* const* choices; /* choice_count names, or NULL */
   uint32_t choice_count;
   uint32_t reserved;
 } cgw_parameter;
-#define CGW_PARAMETER_INIT {(uint32_t)sizeof(cgw_parameter), 0, NULL, NULL, NULL, NULL, 0, 0, 0, NULL, 0, 0}
+#define CGW_PARAMETER_INIT \
+  { (uint32_t)sizeof(cgw_parameter), 0, NULL, NULL, NULL, NULL, 0, 0, 0, NULL, 0, 0 }
 
 /* ---- meshes ---------------------------------------------------------------------------------------------------- */
 
 typedef struct cgw_mesh {
   uint32_t struct_size;
   uint32_t reserved;
-  const double* vertices;    /* vertex_count x 3 */
+  const double* vertices; /* vertex_count x 3 */
   uint64_t vertex_count;
   const uint32_t* triangles; /* triangle_count x 3 */
   uint64_t triangle_count;
 } cgw_mesh;
-#define CGW_MESH_INIT {(uint32_t)sizeof(cgw_mesh), 0, NULL, 0, NULL, 0}
+#define CGW_MESH_INIT \
+  { (uint32_t)sizeof(cgw_mesh), 0, NULL, 0, NULL, 0 }
 
 /* What a mesh is, counted after vertices at the same position have been welded. */
 typedef struct cgw_mesh_report {
   uint32_t struct_size;
-  uint32_t closed;                 /* 1: no open and no non-manifold edge */
-  uint32_t consistently_oriented;  /* 1: no edge is run twice in the same direction */
-  uint32_t inside_out;             /* 1: closed, and the signed volume is negative */
-  uint64_t vertices;               /* after welding, those that a triangle uses */
-  uint64_t triangles;              /* after degenerate ones were dropped */
-  uint64_t welded_vertices;        /* vertices merged into another at the same position */
-  uint64_t degenerate_triangles;   /* triangles that name a position twice; dropped */
+  uint32_t closed;                /* 1: no open and no non-manifold edge */
+  uint32_t consistently_oriented; /* 1: no edge is run twice in the same direction */
+  uint32_t inside_out;            /* 1: closed, and the signed volume is negative */
+  uint64_t vertices;              /* after welding, those that a triangle uses */
+  uint64_t triangles;             /* after degenerate ones were dropped */
+  uint64_t welded_vertices;       /* vertices merged into another at the same position */
+  uint64_t degenerate_triangles;  /* triangles that name a position twice; dropped */
   uint64_t unused_vertices;
   uint64_t open_edges;
   uint64_t non_manifold_edges;
-  uint64_t inconsistent_edges;     /* edges that both triangles run in the same direction */
-  uint64_t bow_tie_vertices;       /* vertices where several fans meet */
-  uint64_t turned_triangles;       /* triangles that had to be turned for a consistent, outward orientation */
+  uint64_t inconsistent_edges; /* edges that both triangles run in the same direction */
+  uint64_t bow_tie_vertices;   /* vertices where several fans meet */
+  uint64_t turned_triangles;   /* triangles that had to be turned for a consistent, outward orientation */
   uint64_t components;
-  int64_t genus;                   /* of the whole, bow-ties split; -1 where the mesh is not closed */
-  double signed_volume;            /* model units cubed, of the triangles as given */
-  double diagonal;                 /* of the bounding box */
+  int64_t genus;        /* of the whole, bow-ties split; -1 where the mesh is not closed */
+  double signed_volume; /* model units cubed, of the triangles as given */
+  double diagonal;      /* of the bounding box */
   double box_min[3], box_max[3];
 } cgw_mesh_report;
-#define CGW_MESH_REPORT_INIT \
-  {(uint32_t)sizeof(cgw_mesh_report), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}}
+#define CGW_MESH_REPORT_INIT                                                                                     \
+  {                                                                                                              \
+    (uint32_t)sizeof(cgw_mesh_report), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0, 0, 0}, { 0, 0, 0 } \
+  }
 
 /* ---- slides ---------------------------------------------------------------------------------------------------- */
 
-#define CGW_SLIDE_STROKE 0       /* points on the surface: plane and ellipse are fitted to them */
-#define CGW_SLIDE_POINT_NORMAL 1 /* the loop of that plane round, or nearest to, the point; the ellipse is fitted to it */
-#define CGW_SLIDE_ELLIPSE 2      /* centre and two radii as they are */
+#define CGW_SLIDE_STROKE 0 /* points on the surface: plane and ellipse are fitted to them */
+#define CGW_SLIDE_POINT_NORMAL \
+  1                         /* the loop of that plane round, or nearest to, the point; the ellipse is fitted to it */
+#define CGW_SLIDE_ELLIPSE 2 /* centre and two radii as they are */
 
 typedef struct cgw_slide_input {
   uint32_t struct_size;
-  int32_t kind;          /* CGW_SLIDE_* */
-  const char* name;      /* not empty, unique in the session */
-  const double* stroke;  /* CGW_SLIDE_STROKE: stroke_count x 3 */
+  int32_t kind;         /* CGW_SLIDE_* */
+  const char* name;     /* not empty, unique in the session */
+  const double* stroke; /* CGW_SLIDE_STROKE: stroke_count x 3 */
   uint64_t stroke_count;
-  double point[3];       /* CGW_SLIDE_POINT_NORMAL: point; CGW_SLIDE_ELLIPSE: centre */
-  double normal[3];      /* CGW_SLIDE_POINT_NORMAL */
-  double u[3], v[3];     /* CGW_SLIDE_ELLIPSE: conjugate radii; the principal ones are taken from them */
+  double point[3];   /* CGW_SLIDE_POINT_NORMAL: point; CGW_SLIDE_ELLIPSE: centre */
+  double normal[3];  /* CGW_SLIDE_POINT_NORMAL */
+  double u[3], v[3]; /* CGW_SLIDE_ELLIPSE: conjugate radii; the principal ones are taken from them */
 } cgw_slide_input;
-#define CGW_SLIDE_INPUT_INIT {(uint32_t)sizeof(cgw_slide_input), 0, NULL, NULL, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}
+#define CGW_SLIDE_INPUT_INIT                                                                          \
+  {                                                                                                   \
+    (uint32_t)sizeof(cgw_slide_input), 0, NULL, NULL, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 } \
+  }
 
 /* A cgw_status of slides only: no solve has looked at it since it was added, changed or loaded. */
 #define CGW_SLIDE_UNSOLVED 2
@@ -220,11 +233,13 @@ typedef struct cgw_slide_info {
   uint32_t has_ellipse; /* 1 where the fields below are known */
   const char* message;  /* "" or the sentence; lives until the next call on the session */
   double center[3];
-  double normal[3];     /* unit */
-  double u[3], v[3];    /* principal radii, |u| >= |v|, normal along u x v */
+  double normal[3];  /* unit */
+  double u[3], v[3]; /* principal radii, |u| >= |v|, normal along u x v */
 } cgw_slide_info;
-#define CGW_SLIDE_INFO_INIT \
-  {(uint32_t)sizeof(cgw_slide_info), 0, 0, NULL, 0, 0, NULL, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}
+#define CGW_SLIDE_INFO_INIT                                                                                \
+  {                                                                                                        \
+    (uint32_t)sizeof(cgw_slide_info), 0, 0, NULL, 0, 0, NULL, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, { 0, 0, 0 } \
+  }
 
 /* ---- solving --------------------------------------------------------------------------------------------------- */
 
@@ -239,7 +254,8 @@ typedef struct cgw_solve_options {
   uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations */
   uint32_t threads;   /* 0: as many as the machine has; at most 256. Results are the same bits for any number. */
 } cgw_solve_options;
-#define CGW_SOLVE_OPTIONS_INIT {(uint32_t)sizeof(cgw_solve_options), CGW_STAGE_REFINE, 0, 0}
+#define CGW_SOLVE_OPTIONS_INIT \
+  { (uint32_t)sizeof(cgw_solve_options), CGW_STAGE_REFINE, 0, 0 }
 
 #define CGW_PART_ENCLOSED 1u /* lies inside the rest of the model and has no cage of its own */
 
@@ -253,8 +269,8 @@ typedef struct cgw_parts {
   uint64_t triangle_count; /* set: triangles of the cut model */
   double* vertices;        /* vertex_count x 3, or NULL */
   uint64_t vertex_capacity;
-  uint32_t* triangles;     /* triangle_count x 3, or NULL */
-  int32_t* triangle_part;  /* triangle_count, or NULL: the part of each triangle */
+  uint32_t* triangles;    /* triangle_count x 3, or NULL */
+  int32_t* triangle_part; /* triangle_count, or NULL: the part of each triangle */
   uint64_t triangle_capacity;
   uint32_t* section_count; /* part_count, or NULL: how many slides bound the part. 0: its cage is its bounding box, or
                               there is none (CGW_PART_ENCLOSED); 1: a leaf, its cage ends in a cap */
@@ -263,7 +279,8 @@ typedef struct cgw_parts {
   double* part_center;     /* part_count x 3, or NULL: the projection centre of 3.3 (without slides: the middle of the
                               box); NaN before CGW_STAGE_MESHING and for parts without a cage of their own */
 } cgw_parts;
-#define CGW_PARTS_INIT {(uint32_t)sizeof(cgw_parts), 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0, NULL, NULL}
+#define CGW_PARTS_INIT \
+  { (uint32_t)sizeof(cgw_parts), 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0, NULL, NULL }
 
 /* The closed loop along which a slide cuts the model. Available after CGW_STAGE_SEGMENT. */
 typedef struct cgw_loop {
@@ -273,16 +290,17 @@ typedef struct cgw_loop {
   double* points;       /* point_count x 3, or NULL; the last point is not the first again */
   uint64_t point_capacity;
 } cgw_loop;
-#define CGW_LOOP_INIT {(uint32_t)sizeof(cgw_loop), 0, 0, NULL, 0}
+#define CGW_LOOP_INIT \
+  { (uint32_t)sizeof(cgw_loop), 0, 0, NULL, 0 }
 
 /* The cross section of one slide. After CGW_STAGE_SEGMENT: slide, parts and the ellipse as it was at the time of the
    solve (center, normal, u, v); after CGW_STAGE_ORIENT: p, q, x, corners, which are 0 before. */
 typedef struct cgw_section {
   uint32_t struct_size;
   uint32_t reserved;
-  uint64_t slide;         /* id */
-  int32_t part_behind;    /* the part on the side that the normal points away from */
-  int32_t part_ahead;     /* the part on the side that the normal points to */
+  uint64_t slide;      /* id */
+  int32_t part_behind; /* the part on the side that the normal points away from */
+  int32_t part_ahead;  /* the part on the side that the normal points to */
   double center[3];
   double p[3], q[3];      /* half edges of the rectangle as oriented: corners are center +- p +- q */
   double x[2];            /* the minimiser of equation (1) for this slide, in the frame (u, v) of this struct; the 4th
@@ -292,21 +310,13 @@ typedef struct cgw_section {
   double normal[3];       /* unit, along u x v */
   double u[3], v[3];      /* principal radii, |u| >= |v|; as the frame (u, v) of x: their directions */
 } cgw_section;
-#define CGW_SECTION_INIT \
-  {(uint32_t)sizeof(cgw_section), \
-   0, \
-   0, \
-   -1, \
-   -1, \
-   {0, 0, 0}, \
-   {0, 0, 0}, \
-   {0, 0, 0}, \
-   {0, 0}, \
-   {0}, \
-   {-1, -1, -1, -1}, \
-   {0, 0, 0}, \
-   {0, 0, 0}, \
-   {0, 0, 0}}
+#define CGW_SECTION_INIT                                                                                         \
+  {                                                                                                              \
+    (uint32_t)sizeof(cgw_section), 0, 0, -1, -1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0}, {0}, {-1, -1, -1, -1}, \
+        {0, 0, 0}, {0, 0, 0}, {                                                                                  \
+      0, 0, 0                                                                                                    \
+    }                                                                                                            \
+  }
 
 /* The cage. Available after CGW_STAGE_MESHING. */
 typedef struct cgw_cage {
@@ -315,13 +325,15 @@ typedef struct cgw_cage {
   uint64_t vertex_count;   /* set */
   uint64_t triangle_count; /* set */
   double* vertices;        /* vertex_count x 3, or NULL */
-  int32_t* vertex_section; /* vertex_count, or NULL: index of the section (the order of section), -1: a cap or box corner */
+  int32_t*
+      vertex_section; /* vertex_count, or NULL: index of the section (the order of section), -1: a cap or box corner */
   uint64_t vertex_capacity;
-  uint32_t* triangles;     /* triangle_count x 3, or NULL */
-  int32_t* triangle_part;  /* triangle_count, or NULL */
+  uint32_t* triangles;    /* triangle_count x 3, or NULL */
+  int32_t* triangle_part; /* triangle_count, or NULL */
   uint64_t triangle_capacity;
 } cgw_cage;
-#define CGW_CAGE_INIT {(uint32_t)sizeof(cgw_cage), 0, 0, 0, NULL, NULL, 0, NULL, NULL, 0}
+#define CGW_CAGE_INIT \
+  { (uint32_t)sizeof(cgw_cage), 0, 0, 0, NULL, NULL, 0, NULL, NULL, 0 }
 
 /* One iteration of the refinement, equations (6) to (8): what an independent solver needs to repeat it. */
 typedef struct cgw_iteration {
@@ -337,31 +349,32 @@ typedef struct cgw_iteration {
   double* plane_normal;       /* vertex_count x 3, or NULL: vertex j moves only perpendicular to this unit normal; 0:
                                  free */
   uint64_t vertex_capacity;
-  double* normals;            /* triangle_count x 3, or NULL: n_t, unit */
-  double* anchors;            /* triangle_count x 3, or NULL: a_t' of (7) */
-  double* weights;            /* triangle_count x 3, or NULL: the weight in (8) of triangle t at its three corners */
-  double* signed_distance;    /* triangle_count, or NULL: d(v_i(t), t) of (6); -infinity where t sees no vertex */
-  int64_t* outermost;         /* triangle_count, or NULL: i(t) of (6), vertex of the cut model; -1 where none */
+  double* normals;         /* triangle_count x 3, or NULL: n_t, unit */
+  double* anchors;         /* triangle_count x 3, or NULL: a_t' of (7) */
+  double* weights;         /* triangle_count x 3, or NULL: the weight in (8) of triangle t at its three corners */
+  double* signed_distance; /* triangle_count, or NULL: d(v_i(t), t) of (6); -infinity where t sees no vertex */
+  int64_t* outermost;      /* triangle_count, or NULL: i(t) of (6), vertex of the cut model; -1 where none */
   uint64_t triangle_capacity;
 } cgw_iteration;
 #define CGW_ITERATION_INIT \
-  {(uint32_t)sizeof(cgw_iteration), 0, 0, 0, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL, NULL, NULL, NULL, 0}
+  { (uint32_t)sizeof(cgw_iteration), 0, 0, 0, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL, NULL, NULL, NULL, 0 }
 
 /* Figures of the last solve. What was not computed is NaN. */
 typedef struct cgw_summary {
   uint32_t struct_size;
-  int32_t last_stage;          /* the last stage that the solve went through */
-  uint64_t iterations;         /* refinement steps taken */
-  uint32_t converged;          /* 1: equation (9) is met */
-  uint32_t threads;            /* that the solve could use, at most 256; where there is less to do, fewer worked */
+  int32_t last_stage;  /* the last stage that the solve went through */
+  uint64_t iterations; /* refinement steps taken */
+  uint32_t converged;  /* 1: equation (9) is met */
+  uint32_t threads;    /* that the solve could use, at most 256; where there is less to do, fewer worked */
   double max_signed_distance_over_diagonal; /* max over t of (6), of the final cage, over the model's diagonal */
-  double volume_ratio;         /* cage volume over model volume */
-  int64_t cage_genus;          /* -1 before CGW_STAGE_MESHING, and where the welded cage is not manifold */
+  double volume_ratio;                      /* cage volume over model volume */
+  int64_t cage_genus;                       /* -1 before CGW_STAGE_MESHING, and where the welded cage is not manifold */
   double segment_ms, orient_ms, meshing_ms, refine_ms;
-  double extent;               /* model units: the length for D_BB in equation (9) as it was judged, all in model units:
-                                  | -max - delta | <= 0.001 extent; turns with the model, at most the diagonal */
+  double extent; /* model units: the length for D_BB in equation (9) as it was judged, all in model units:
+                    | -max - delta | <= 0.001 extent; turns with the model, at most the diagonal */
 } cgw_summary;
-#define CGW_SUMMARY_INIT {(uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0}
+#define CGW_SUMMARY_INIT \
+  { (uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0 }
 
 /* ---- streams --------------------------------------------------------------------------------------------------- */
 
@@ -374,7 +387,8 @@ typedef struct cgw_stream {
   uint64_t (*read)(void* user, void* bytes, uint64_t count);        /* needed by load_state */
   uint64_t (*write)(void* user, const void* bytes, uint64_t count); /* needed by save_state */
 } cgw_stream;
-#define CGW_STREAM_INIT {(uint32_t)sizeof(cgw_stream), 0, NULL, NULL, NULL}
+#define CGW_STREAM_INIT \
+  { (uint32_t)sizeof(cgw_stream), 0, NULL, NULL, NULL }
 
 /* ---- the table ------------------------------------------------------------------------------------------------- */
 
