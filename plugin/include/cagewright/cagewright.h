@@ -47,10 +47,8 @@ typedef int32_t cgw_status;
 #define CGW_CANCELLED 1 /* the host's progress function asked for it */
 
 /* Misuse of the ABI. */
-#define CGW_ERROR_INTERNAL (-1) /* a defect of the plug-in; the sentence says where */
-#define CGW_ERROR_INVALID_ARGUMENT                                                     \
-  (-2) /* a required pointer is NULL, a struct_size is too small, a kind is unknown, a \
-          host's function called into the session that called it */
+#define CGW_ERROR_INTERNAL (-1)         /* a defect of the plug-in; the sentence says where */
+#define CGW_ERROR_INVALID_ARGUMENT (-2) /* a pointer is NULL, a size or kind is wrong, a callback calls back */
 #define CGW_ERROR_OUT_OF_MEMORY (-3)
 #define CGW_ERROR_BUFFER_TOO_SMALL (-4)
 #define CGW_ERROR_NOT_READY (-5)         /* asked for a result that no successful solve has made yet */
