@@ -26,7 +26,7 @@ std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const Sect
   Vector2 low(infinity, infinity), high(-infinity, -infinity);
   for (int v : part.vertices) {
     const Vector3 offset = Vector3(points.row(v)) - section.center;
-    if (into.dot(offset) < height / 2) continue;
+    if (into.dot(offset) < (0.5 - tolerance::tie) * height) continue;
     const Vector2 flat(p.dot(offset), q.dot(offset));
     low = low.cwiseMin(flat);
     high = high.cwiseMax(flat);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 extern "C" {
 #include <libqhull_r/libqhull_r.h>
@@ -24,26 +25,25 @@ class Qhull {
   Qhull(const Qhull&) = delete;
   Qhull& operator=(const Qhull&) = delete;
 
-  bool run(std::vector<double>& coordinates) {
-    char command[] = "qhull QJ Pp";
-    return qh_new_qhull(&state_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False, command,
+  bool run(const std::vector<Vector3>& points, std::string command) {
+    for (const Vector3& p : points) coordinates_.insert(coordinates_.end(), p.data(), p.data() + 3);
+    return qh_new_qhull(&state_, 3, static_cast<int>(points.size()), coordinates_.data(), False, command.data(),
                         nullptr, complaints_.get()) == 0;
   }
   qhT* state() { return &state_; }
 
  private:
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> complaints_;
+  std::vector<double> coordinates_;
   qhT state_;
 };
 
 }  // namespace
 
-ConvexHull convex_hull(const std::vector<Vector3>& points) {
-  std::vector<double> coordinates;
-  for (const Vector3& p : points) coordinates.insert(coordinates.end(), p.data(), p.data() + 3);
+std::vector<std::array<int, 3>> hull_triangles(const std::vector<Vector3>& points) {
   Qhull qhull;
-  ConvexHull hull;
-  if (!qhull.run(coordinates)) return hull;
+  std::vector<std::array<int, 3>> triangles;
+  if (!qhull.run(points, "qhull QJ Pp")) return triangles;
   qhT* qh = qhull.state();  // the FORALL macros read this name
   facetT* facet = nullptr;
   FORALLfacets {
@@ -58,10 +58,19 @@ ConvexHull convex_hull(const std::vector<Vector3>& points) {
     const Vector3 normal(facet->normal[0], facet->normal[1], facet->normal[2]);
     const auto point = [&](int i) { return points[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])]; };
     if ((point(1) - point(0)).cross(point(2) - point(0)).dot(normal) < 0) std::swap(corners[1], corners[2]);
-    hull.triangles.push_back(corners);
-    hull.planes.emplace_back(normal, facet->offset);
+    triangles.push_back(corners);
   }
-  return hull;
+  return triangles;
+}
+
+std::vector<HullPlane> hull_planes(const std::vector<Vector3>& points) {
+  Qhull qhull;
+  std::vector<HullPlane> planes;
+  if (!qhull.run(points, "qhull Pp")) return planes;
+  qhT* qh = qhull.state();
+  facetT* facet = nullptr;
+  FORALLfacets planes.push_back({{facet->normal[0], facet->normal[1], facet->normal[2]}, facet->offset});
+  return planes;
 }
 
 }  // namespace cagewright

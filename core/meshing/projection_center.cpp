@@ -47,11 +47,11 @@ class Visibility {
  public:
   explicit Visibility(const Bounds& bounds) : bounds_(bounds) {
     for (const Bound& bound : bounds.list) corners_.insert(corners_.end(), bound.corners.begin(), bound.corners.end());
-    hull_ = convex_hull(corners_);
+    hull_ = hull_planes(corners_);
   }
 
   double operator()(const Vector3& center) const {
-    if (hull_.triangles.empty()) return -1;
+    if (hull_.empty()) return -1;
     double worst = inside_hull(center);
     std::vector<Cone> cones;
     for (const Bound& bound : bounds_.list) {
@@ -64,21 +64,21 @@ class Visibility {
     return worst;
   }
 
-  const ConvexHull& hull() const { return hull_; }
+  const std::vector<HullPlane>& hull() const { return hull_; }
 
  private:
-  // Over the distance to the farthest corner of all, not of the facet: how a flat side is split into facets is chance.
+  // Over the distance to the farthest corner of all.
   double inside_hull(const Vector3& center) const {
     double farthest = 0;
     for (const Vector3& corner : corners_) farthest = std::max(farthest, (corner - center).norm());
     double nearest = farthest;
-    for (const auto& [normal, offset] : hull_.planes) nearest = std::min(nearest, -(normal.dot(center) + offset));
+    for (const auto& [normal, offset] : hull_) nearest = std::min(nearest, -(normal.dot(center) + offset));
     return nearest / farthest;
   }
 
   const Bounds& bounds_;
   std::vector<Vector3> corners_;
-  ConvexHull hull_;
+  std::vector<HullPlane> hull_;
 };
 
 // Steps along the axes and space diagonals of `frame`, halved whenever none gains.
@@ -111,7 +111,7 @@ Vector3 climb_from_bounds(const Visibility& visibility, const Bounds& bounds, do
     for (const Bound& bound : bounds.list) {
       const Vector3 start = (bound.corners[0] + bound.corners[2]) / 2 - depth * reach * bound.outward;
       const Vector3 summit = climb(visibility, start, reach / 2, frame);
-      if (visibility(summit) > visibility(best)) best = summit;
+      if (visibility(summit) > visibility(best) + tolerance::tie) best = summit;
     }
   return best;
 }
@@ -120,7 +120,7 @@ Vector3 climb_from_bounds(const Visibility& visibility, const Bounds& bounds, do
 // maximum is one point that moves with the model; that of the least itself is found only up to where a search stops.
 class SmoothVisibility {
  public:
-  SmoothVisibility(const Bounds& bounds, const ConvexHull& hull, double reach)
+  SmoothVisibility(const Bounds& bounds, const std::vector<HullPlane>& hull, double reach)
       : bounds_(bounds), hull_(hull), reach_(reach) {}
 
   // The value, and its gradient.
@@ -139,7 +139,7 @@ class SmoothVisibility {
         const double sine = bound.outward.dot(ray) / length;
         add(sine, (sine * ray / length - bound.outward) / length);
       }
-    for (const auto& [normal, offset] : hull_.planes) add(-(normal.dot(center) + offset) / reach_, -normal / reach_);
+    for (const auto& [normal, offset] : hull_) add(-(normal.dot(center) + offset) / reach_, -normal / reach_);
     gradient /= sum;
     return -std::log(sum) / sharpness;
   }
@@ -147,14 +147,16 @@ class SmoothVisibility {
  private:
   static constexpr double sharpness = 16;
   const Bounds& bounds_;
-  const ConvexHull& hull_;
+  const std::vector<HullPlane>& hull_;
   double reach_;
 };
 
-// Newton's method with the Hessian from differences of the gradient, and steps halved until they gain.
+// Newton's method with the Hessian from differences of the gradient, and steps halved until they gain. Near the maximum
+// the value no longer tells one point from another, to the root of rounding, but the gradient does.
 Vector3 polish(const SmoothVisibility& smooth, Vector3 point, double reach) {
-  constexpr int iterations = 50;
-  const double difference = 1e-6 * reach, enough = 1e-13 * reach;
+  constexpr int iterations = 50, halvings = 40;
+  constexpr double noise = 1e-12;
+  const double difference = 1e-6 * reach, enough = 1e-14 * reach;
   Vector3 gradient, shifted;
   double value = smooth(point, gradient);
   for (int i = 0; i < iterations; ++i) {
@@ -166,15 +168,18 @@ Vector3 polish(const SmoothVisibility& smooth, Vector3 point, double reach) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen((hessian + hessian.transpose()) / 2);
     const Vector3 curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(1e-3 / (reach * reach));
     Vector3 step = eigen.eigenvectors() * (eigen.eigenvectors().transpose() * gradient).cwiseQuotient(curvature);
-    if (step.norm() <= enough) return point;
-    for (int halving = 0; halving < 40; ++halving, step /= 2) {
+    int halving = 0;
+    for (; halving < halvings && step.norm() > enough; ++halving, step /= 2) {
       const double there = smooth(point + step, shifted);
-      if (there < value - 1e-15) continue;
+      const bool gains =
+          there > value + noise || (there > value - noise && shifted.squaredNorm() < gradient.squaredNorm());
+      if (!gains) continue;
       point += step;
       value = there;
       gradient = shifted;
       break;
     }
+    if (halving == halvings || !(step.norm() > enough)) break;
   }
   return point;
 }

@@ -15,7 +15,7 @@ SphericalTriangulation::SphericalTriangulation(std::vector<Vector3> points, cons
     : points_(std::move(points)), center_(center) {
   std::vector<Vector3> projected;
   for (const Vector3& p : points_) projected.push_back((p - center_).stableNormalized());
-  for (const auto& [a, b, c] : convex_hull(projected).triangles) insert(a, b, c);
+  for (const auto& [a, b, c] : hull_triangles(projected)) insert(a, b, c);
   if (triangles_.size() + 4 != 2 * points_.size())
     throw Error(ErrorCode::internal, "meshing: the hull of the projected corners lost a corner");
 }

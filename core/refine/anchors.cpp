@@ -54,11 +54,12 @@ double AnchorFinder::distance(long vertex, int triangle) const {
   return (segmentation_.cut.points.row(vertex) - barycenters_.row(triangle)).dot(normals_.row(triangle));
 }
 
-// Keeps the farther of two vertices; of equally far ones the first, so that the order of blocks does not matter.
+// Keeps the farther of two vertices; of equally far ones the first, so that neither the order of blocks nor rounding
+// matters.
 void AnchorFinder::offer(long vertex, int triangle, std::vector<Farthest>& best) const {
   const double d = distance(vertex, triangle);
   Farthest& farthest = best[static_cast<std::size_t>(triangle)];
-  if (d > farthest.distance) farthest = {d, vertex};
+  if (d > farthest.distance + on_plane_) farthest = {d, vertex};
 }
 
 void AnchorFinder::search_local(const Cones& cones, const Block& block, std::vector<Farthest>& best) {
@@ -84,7 +85,7 @@ void AnchorFinder::search_enclosed(const Cones& cones, const Block& block, std::
       if (segmentation_.parts[p].enclosed) continue;
       const int triangle = cones.triangle_of(static_cast<int>(p), v);
       const double d = triangle == Cones::inside ? -infinity : distance(vertices[i], triangle);
-      if (d >= least) continue;
+      if (d >= least - on_plane_) continue;
       least = d;
       nearest = triangle;
     }
@@ -118,7 +119,7 @@ void AnchorFinder::find(const Points& points, RefineRecord& record) {
   record.outermost.assign(count, -1);
   for (const std::vector<Farthest>& of_block : found)
     for (std::size_t t = 0; t < count; ++t) {
-      if (of_block[t].distance <= record.signed_distance[t]) continue;
+      if (of_block[t].distance <= record.signed_distance[t] + on_plane_) continue;
       record.signed_distance[t] = of_block[t].distance;
       record.outermost[t] = of_block[t].vertex;
     }

@@ -59,20 +59,21 @@ Cones::Opening Cones::opening_of(const PartSection& side, const std::array<int, 
 bool Cones::sees(int part, int t, const Vector3& v) const {
   const Part& p = parts_[static_cast<std::size_t>(part)];
   const auto slot = static_cast<std::size_t>(slot_[static_cast<std::size_t>(t)]);
-  return slot < p.walls.size() && p.walls[slot].triangle == t && margin(p.walls[slot].planes, v - p.center) >= 0;
+  return slot < p.walls.size() && p.walls[slot].triangle == t &&
+         margin(p.walls[slot].planes, v - p.center) >= -on_plane_;
 }
 
 int Cones::wall_of(const Part& part, const Vector3& v) const {
   const Vector3 ray = v - part.center;
   for (const Wall& wall : part.walls)
-    if (margin(wall.planes, ray) >= 0) return wall.triangle;
+    if (margin(wall.planes, ray) >= -on_plane_) return wall.triangle;
   return none;
 }
 
 const Cones::Opening* Cones::opening_of(const Part& part, const Vector3& v) const {
   const Vector3 ray = v - part.center;
   const auto found = std::find_if(part.openings.begin(), part.openings.end(),
-                                  [&](const Opening& opening) { return margin(opening.planes, ray) >= 0; });
+                                  [&](const Opening& opening) { return margin(opening.planes, ray) >= -on_plane_; });
   return found == part.openings.end() ? nullptr : &*found;
 }
 
@@ -98,7 +99,7 @@ int Cones::triangle_of(int part, const Vector3& v) const {
   double best = -std::numeric_limits<double>::infinity();
   for (const Wall& wall : here.walls) {
     const double m = margin(wall.planes, v - here.center);
-    if (m <= best) continue;
+    if (m <= best + on_plane_) continue;
     best = m;
     nearest = wall.triangle;
   }

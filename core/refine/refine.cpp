@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "core/error/error.h"
 #include "core/mesh/tolerance.h"
@@ -22,6 +24,15 @@ Points plane_normals(const Cage& cage, const std::vector<SectionFrame>& sections
   return normals;
 }
 
+std::string advice(const Part& part, const std::vector<std::string>& names) {
+  std::string slides;
+  for (const PartSection& side : part.sections)
+    slides += (slides.empty() ? "'" : ", '") + names[static_cast<std::size_t>(side.slide)] + "'";
+  if (slides.empty()) return "cut that part by slides";
+  return (part.sections.size() == 1 ? "cut the part beyond the slide " : "cut the part between the slides ") + slides +
+         " once more";
+}
+
 [[noreturn]] void fail_diverged(const Segmentation& segmentation, const Cage& cage,
                                 const std::vector<std::string>& names, RefineScope scope, Eigen::Index vertex,
                                 const Vector3& from) {
@@ -31,16 +42,11 @@ Points plane_normals(const Cage& cage, const std::vector<SectionFrame>& sections
   for (Eigen::Index t = 0; t < cage.triangles.rows() && !place.part; ++t)
     if ((cage.triangles.row(t).array() == static_cast<int>(vertex)).any())
       place.part = static_cast<std::size_t>(cage.triangle_part[static_cast<std::size_t>(t)]);
-  std::string slides;  // of the part, for the sentence
-  for (const PartSection& side : segmentation.parts[place.part.value_or(0)].sections) {
-    if (!place.slide) place.slide = static_cast<std::size_t>(side.slide);
-    slides += (slides.empty() ? "'" : ", '") + names[static_cast<std::size_t>(side.slide)] + "'";
-  }
+  const Part& part = segmentation.parts[place.part.value_or(0)];
+  if (!part.sections.empty()) place.slide = static_cast<std::size_t>(part.sections.front().slide);
   throw Error(ErrorCode::refine_diverged,
               "the refinement drove cage vertex " + std::to_string(vertex) + ", last near " + to_text(from) +
-                  ", out of all bounds: " +
-                  (slides.empty() ? std::string("cut that part by slides")
-                                  : "cut the part between the slides " + slides + " once more") +
+                  ", out of all bounds: " + advice(part, names) +
                   (scope == RefineScope::part ? ", or set refine.scope to local" : ""),
               place);
 }
@@ -77,13 +83,31 @@ bool meets_equation_9(double max_signed_distance, double delta, double extent) {
   return std::abs(-max_signed_distance - delta) <= tolerance::convergence * extent;
 }
 
+std::string shortfall_of(const Segmentation& segmentation, const Cage& cage, const std::vector<std::string>& names,
+                         const RefineRecord& last, double delta, double diagonal) {
+  const auto worst = std::max_element(last.signed_distance.begin(), last.signed_distance.end());
+  const auto triangle = static_cast<std::size_t>(worst - last.signed_distance.begin());
+  const Part& part = segmentation.parts[static_cast<std::size_t>(cage.triangle_part[triangle])];
+  std::ostringstream sentence;
+  sentence << std::setprecision(3) << "the refinement ended before the cage bounds the model as asked: ";
+  if (*worst > -delta)
+    sentence << "the vertex near " << to_text(Vector3(segmentation.cut.points.row(last.outermost[triangle])))
+             << " is still " << (*worst + delta) / diagonal << " of the diagonal from where it has to be; "
+             << advice(part, names) << ", allow more steps (refine.iterations)"
+             << (delta > 0 ? ", or ask for less distance (refine.delta)" : "");
+  else
+    sentence << "it is " << (-*worst - delta) / diagonal
+             << " of the diagonal looser everywhere; allow more steps (refine.iterations)";
+  return sentence.str();
+}
+
 }  // namespace
 
 Refinement refine(const Segmentation& segmentation, const std::vector<SectionFrame>& sections, const Cage& cage,
                   double diagonal, const std::vector<std::string>& names, const RefineOptions& options,
                   const Progress& progress) {
   const double delta = options.delta * diagonal;
-  Refinement result{cage, {}, 0, extent_of(segmentation.cut.points), false};
+  Refinement result{cage, {}, 0, extent_of(segmentation.cut.points), false, {}};
   AnchorFinder anchors(segmentation, cage, options, delta, result.extent);
   const Points normals = plane_normals(cage, sections, options.in_plane);
   const Vector3 margin = Vector3::Constant(tolerance::diverged * diagonal);
@@ -98,7 +122,10 @@ Refinement refine(const Segmentation& segmentation, const std::vector<SectionFra
     anchors.find(result.cage.points, record);
     result.max_signed_distance = record.max_signed_distance;
     result.converged = meets_equation_9(record.max_signed_distance, delta, result.extent);
-    if (result.converged || k >= options.iterations) return result;
+    if (result.converged || k >= options.iterations) {
+      if (!result.converged) result.shortfall = shortfall_of(segmentation, cage, names, record, delta, diagonal);
+      return result;
+    }
     trusted_step(segmentation, cage, push_factors(record, delta, result.extent, options.push), options.damping,
                  tolerance::smallest_anchor_distance * result.extent, record);
     check_bounded(segmentation, cage, names, options.scope, record, allowed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/meshing/meshing.h"
@@ -40,6 +41,7 @@ struct Refinement {
   double max_signed_distance = 0;  // of the final cage, model units
   double extent = 0;               // the length for D_BB in (9): turns with the model, at most the diagonal
   bool converged = false;          // equation (9)
+  std::string shortfall;           // where not converged: which part is how far from (9), and what to do; else empty
 };
 
 // Pushes the cage out until it bounds the model at distance delta (paper 3.4, equations (6) to (9)).

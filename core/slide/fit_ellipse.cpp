@@ -201,13 +201,12 @@ Ellipse fit_loop(const Points& loop, const Vector3& on_plane, const Vector3& nor
   Vector2 major = solver.eigenvectors().col(1);
   if (is_round(radii(1), radii(0))) major = farthest_point(polygon, moments.centroid) - moments.centroid;
   Ellipse ellipse = to_space(frame, moments.centroid, major, radii(1), radii(0));
-  double ahead = 0, behind = 0;
+  double farthest = 0;  // along u, with its sign; of equally far ones the first
   for (Eigen::Index i = 0; i < loop.rows(); ++i) {
     const double along = ellipse.u.dot(Vector3(loop.row(i)) - ellipse.center);
-    ahead = std::max(ahead, along);
-    behind = std::max(behind, -along);
+    if (std::abs(along) > (1 + tolerance::tie) * std::abs(farthest)) farthest = along;
   }
-  if (behind > ahead) turn_half(ellipse);
+  if (farthest < 0) turn_half(ellipse);
   return ellipse;
 }
 

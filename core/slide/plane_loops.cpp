@@ -7,6 +7,7 @@
 
 #include "core/error/error.h"
 #include "core/mesh/predicates.h"
+#include "core/mesh/tolerance.h"
 #include "core/slide/fit_ellipse.h"
 #include "core/slide/plane_frame.h"
 
@@ -16,11 +17,16 @@ namespace {
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-// Signed distance of every vertex, times |normal|. Computed once, so that every edge sees the same sign of its ends.
+// Signed distance of every vertex. Computed once, so that every edge sees the same sign of its ends; what is on the
+// plane but for rounding is exactly on it, so that a turned model is cut through the same vertices.
 std::vector<double> heights(const HalfEdgeMesh& mesh, const Vector3& point, const Vector3& normal) {
   std::vector<double> height(mesh.n_vertices());
   for (std::size_t i = 0; i < height.size(); ++i)
     height[i] = normal.dot(mesh.point(VertexHandle(static_cast<int>(i))) - point);
+  double highest = 0;
+  for (const double h : height) highest = std::max(highest, std::abs(h));
+  for (double& h : height)
+    if (std::abs(h) <= tolerance::tie * highest) h = 0;
   return height;
 }
 

@@ -259,7 +259,8 @@ TEST(ConvexHull, AgreesWithTheTrianglesThatHaveAllPointsOnOneSide) {
     std::vector<Vector3> points;
     for (int i = 0; i < 20; ++i)
       points.emplace_back(random.uniform(-1, 1), random.uniform(-2, 2), random.uniform(0, 1));
-    const ConvexHull hull = convex_hull(points);
+    const auto triangles = hull_triangles(points);
+    const auto planes = hull_planes(points);
     std::size_t expected = 0;
     for (std::size_t a = 0; a < 20; ++a)
       for (std::size_t b = a + 1; b < 20; ++b)
@@ -269,17 +270,33 @@ TEST(ConvexHull, AgreesWithTheTrianglesThatHaveAllPointsOnOneSide) {
             sides |= std::array{1, 0, 2}[static_cast<std::size_t>(1 + orient3d(points[a], points[b], points[c], d))];
           if (sides != 3) ++expected;
         }
-    EXPECT_EQ(hull.triangles.size(), expected);
-    for (std::size_t f = 0; f < hull.triangles.size(); ++f) {
-      const auto [a, b, c] = hull.triangles[f];
+    EXPECT_EQ(triangles.size(), expected);
+    EXPECT_EQ(planes.size(), expected);
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      const auto [a, b, c] = triangles[f];
       for (int d = 0; d < 20; ++d) {
         const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
         EXPECT_LE(orient3d(at(a), at(b), at(c), at(d)), 0) << "counter-clockwise from outside";
-        EXPECT_LE(hull.planes[f].first.dot(at(d)) + hull.planes[f].second, 1e-8);
+        EXPECT_LE(planes[f].normal.dot(at(d)) + planes[f].offset, 1e-13);
       }
     }
   }
-  EXPECT_TRUE(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).triangles.empty());
+  EXPECT_TRUE(hull_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
+}
+
+TEST(ConvexHull, HasOnePlaneForEachFlatFaceHoweverItIsTurned) {
+  Random random(16);
+  std::vector<Vector3> box;
+  for (int code = 0; code < 27; ++code) box.emplace_back(code % 3, 2 * (code / 3 % 3), 3 * (code / 9));
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1))
+            .normalized();
+    std::vector<Vector3> turned;
+    for (const Vector3& p : box) turned.push_back(1e-3 * (turn * p));
+    EXPECT_EQ(hull_planes(turned).size(), 6u);
+  }
+  EXPECT_TRUE(hull_planes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}}).empty()) << "flat";
 }
 
 // The search is local: it promises a point that will do wherever there is a fair one, not the best of all.

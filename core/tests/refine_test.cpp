@@ -342,6 +342,31 @@ TEST(Refine, TakesNoMoreStepsThanAllowed) {
   }
 }
 
+TEST(Refine, SaysWhichPartFallsShortOfEquation9) {
+  const Meshed m(shapes::figure());
+  RefineOptions options;
+  options.iterations = 1;
+  const Refinement r = m.refined(options);
+  ASSERT_FALSE(r.converged);
+  EXPECT_NE(r.shortfall.find("the vertex near ("), std::string::npos) << r.shortfall;
+  EXPECT_NE(r.shortfall.find("of the diagonal from where it has to be; cut the part b"), std::string::npos)
+      << r.shortfall;
+  EXPECT_NE(r.shortfall.find("refine.iterations"), std::string::npos) << r.shortfall;
+  EXPECT_EQ(r.shortfall.find("refine.delta"), std::string::npos) << r.shortfall;
+  EXPECT_TRUE(m.refined({}).shortfall.empty());
+}
+
+TEST(Refine, SaysThatACageIsLooserThanAsked) {
+  const Meshed m(shapes::limb(2));
+  Cage cage = *m.result.cage;
+  cage.points *= 3;
+  RefineOptions options;
+  options.iterations = 0;
+  const Refinement r = refine(m.result.segmentation, m.result.sections, cage, m.model.diagonal, m.names, options);
+  EXPECT_FALSE(r.converged);
+  EXPECT_NE(r.shortfall.find("of the diagonal looser everywhere; allow more steps"), std::string::npos) << r.shortfall;
+}
+
 TEST(Refine, StopsWhenProgressSaysSo) {
   const Meshed m(shapes::figure());
   const Points before = m.result.cage->points;

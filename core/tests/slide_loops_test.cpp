@@ -103,8 +103,8 @@ TEST(PlaneLoops, StayClosedWhereThePlaneHoldsVerticesEdgesOrWholeTriangles) {
         for (const auto h : loop.crossed) {
           edges.insert(model->mesh.edge_handle(h).idx());
           if (trial % 2) continue;  // along an axis heights are exact
-          EXPECT_LT(normal.dot(model->mesh.point(model->mesh.from_vertex_handle(h)) - a), 0);
-          EXPECT_GE(normal.dot(model->mesh.point(model->mesh.to_vertex_handle(h)) - a), 0) << "on the plane is ahead";
+          EXPECT_LT(normal.dot(model->mesh.point(model->mesh.from_vertex_handle(h)) - a), -1e-12);
+          EXPECT_GE(normal.dot(model->mesh.point(model->mesh.to_vertex_handle(h)) - a), -1e-12) << "on it is ahead";
         }
       EXPECT_EQ(edges.size(), points);
     }

@@ -56,6 +56,9 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
     if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);
     throw translated;
   }
+  const auto& refinement = results->made.refinement;
+  if (refinement && !refinement->converged && asked.editing == 0)
+    log(session.host, CGW_LOG_WARNING, refinement->shortfall);  // before the change: a host's log may throw
   session.slides.settle(results->made.segmentation.ellipses);
   session.results = std::move(results);
 }

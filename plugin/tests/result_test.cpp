@@ -82,6 +82,25 @@ TEST(AbiMesh, IsInspectedWithoutBeingRefused) {
   EXPECT_EQ(report.genus, 1);
 }
 
+TEST(AbiSolve, ThatFallsShortOfEquation9SaysWhereInTheLog) {
+  const cgw_host host = logging();
+  const SolvedCapsule capsule(&host);
+  EXPECT_TRUE(logged().empty()) << testing::PrintToString(logged());
+  ASSERT_EQ(api().set_parameter(capsule.session, "refine.iterations", 0), CGW_OK);
+  ASSERT_EQ(api().set_parameter(capsule.session, "refine.delta", 0.1), CGW_OK);
+  ASSERT_EQ(api().solve(capsule.session, nullptr), CGW_OK);
+  ASSERT_EQ(logged().size(), 1u);
+  EXPECT_EQ(logged()[0].find("2 the refinement ended before the cage bounds the model as asked: the vertex near ("), 0u)
+      << logged()[0];
+
+  logged().clear();
+  ASSERT_EQ(api().set_parameter(capsule.session, "refine.editing_iterations", 0), CGW_OK);
+  cgw_solve_options editing = CGW_SOLVE_OPTIONS_INIT;
+  editing.editing = 1;
+  ASSERT_EQ(api().solve(capsule.session, &editing), CGW_OK);
+  EXPECT_TRUE(logged().empty()) << "while the mouse moves nobody expects the end of the refinement";
+}
+
 TEST(AbiMesh, ThatHadToBeMendedIsLogged) {
   const cgw_host host = logging();
   const Session inside_out(&host, turned_inside_out(capsule()));
