@@ -17,6 +17,10 @@ struct Bound {
   int slide;        // index, or -1: a cap
 };
 
+// The i-th corner of a section counter-clockwise as seen from the side that its normal points to (along_normal), or
+// from the other one; corner 0 first either way.
+inline int corner_as_seen(bool along_normal, int i) { return along_normal ? i : (4 - i) % 4; }
+
 // All that bounds a part.
 struct Bounds {
   std::vector<Bound> list;

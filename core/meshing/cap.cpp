@@ -8,12 +8,6 @@
 #include "core/mesh/tolerance.h"
 
 namespace cagewright {
-namespace {
-
-// A cap never shrinks below this share of its section, so that a pointed part still ends in a rectangle.
-constexpr double least_share = 0.1;
-
-}  // namespace
 
 std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const SectionFrame& section,
                               const Vector3& into) {
@@ -21,7 +15,7 @@ std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const Sect
   double height = 0;
   for (int v : part.vertices) height = std::max(height, into.dot(Vector3(points.row(v)) - section.center));
   const double half_p = section.p.norm(), half_q = section.q.norm();
-  height = std::max(height, least_share * std::min(half_p, half_q));
+  height = std::max(height, tolerance::least_cap * std::min(half_p, half_q));
   const Vector3 p = section.p / half_p, q = section.q / half_q;
   Vector2 low(infinity, infinity), high(-infinity, -infinity);
   for (int v : part.vertices) {
@@ -33,7 +27,7 @@ std::array<Vector3, 4> cap_of(const Points& points, const Part& part, const Sect
   }
   if (!(low.x() <= high.x())) low = high = Vector2::Zero();
   const Vector2 middle = (low + high) / 2;
-  const Vector2 half = ((high - low) / 2).cwiseMax(least_share * Vector2(half_p, half_q));
+  const Vector2 half = ((high - low) / 2).cwiseMax(tolerance::least_cap * Vector2(half_p, half_q));
   const Vector3 center = section.center + height * into + middle.x() * p + middle.y() * q;
   return SectionFrame{center, section.normal, half.x() * p, half.y() * q, section.x}.corners();
 }

@@ -19,7 +19,7 @@ Bound make_bound(const std::array<Vector3, 4>& corners, int first_vertex, bool a
                  int slide) {
   Bound bound;
   for (int i = 0; i < 4; ++i) {
-    const int corner = along_normal ? i : (4 - i) % 4;
+    const int corner = corner_as_seen(along_normal, i);
     bound.vertices[static_cast<std::size_t>(i)] = first_vertex + corner;
     bound.corners[static_cast<std::size_t>(i)] = corners[static_cast<std::size_t>(corner)];
   }

@@ -84,7 +84,6 @@ class Visibility {
 // Steps along the axes and space diagonals of `frame`, halved whenever none gains.
 Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Eigen::Matrix3d& frame) {
   const double smallest = step / 1024;
-  constexpr double gain = 1e-9;  // ties, as on symmetric parts, keep the point
   double value = visibility(point);
   while (step > smallest) {
     Vector3 best = point;
@@ -92,7 +91,7 @@ Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Ei
       const Vector3 direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
       const Vector3 candidate = point + step * (frame * direction);
       const double there = visibility(candidate);
-      if (there <= value + gain) continue;
+      if (there <= value + tolerance::tie) continue;
       value = there;
       best = candidate;
     }

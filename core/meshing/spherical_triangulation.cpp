@@ -7,6 +7,7 @@
 
 #include "core/error/error.h"
 #include "core/mesh/predicates.h"
+#include "core/mesh/tolerance.h"
 #include "core/meshing/convex_hull.h"
 
 namespace cagewright {
@@ -87,13 +88,11 @@ double in_circle(const SphericalTriangulation& t, int a, int b, int c, int d) {
   return normal.dot(at(d) - at(a)) / std::max(normal.norm(), std::numeric_limits<double>::min());
 }
 
-constexpr double circle_tie = 1e-9;  // on the unit sphere
-
 bool prefers_other_diagonal(const SphericalTriangulation& t, int a, int b) {
   const int c = t.opposite(a, b), d = t.opposite(b, a);
   const double inside = in_circle(t, a, b, c, d);
-  if (inside > circle_tie) return true;
-  return inside >= -circle_tie && edge_rank(c, d) < edge_rank(a, b);
+  if (inside > tolerance::tie) return true;
+  return inside >= -tolerance::tie && edge_rank(c, d) < edge_rank(a, b);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/meshing/bound.h"
+
 namespace cagewright {
 namespace {
 
@@ -48,7 +50,7 @@ Cones::Opening Cones::opening_of(const PartSection& side, const std::array<int, 
   Opening opening;
   opening.behind = slide_parts[side.outward ? 1 : 0];
   for (int i = 0; i < 4; ++i) {
-    const int corner = side.outward ? i : (4 - i) % 4;
+    const int corner = corner_as_seen(side.outward, i);
     opening.corners[static_cast<std::size_t>(i)] = points.row(4 * side.slide + corner);
   }
   for (std::size_t i = 0; i < 4; ++i)

@@ -11,7 +11,6 @@
 namespace cagewright {
 namespace {
 
-constexpr double kept_share = 0.5;  // of the sine under which the centre sees a triangle, by one step
 constexpr double raise = 10;
 constexpr int attempts = 12;   // then the vertices that are still objected to stay where they are
 constexpr double stay = 1e30;  // a damping under which no step is left
@@ -52,7 +51,8 @@ double facing(const Facet& facet, const Points& points) {
 }
 
 bool trusts(double facing_before, double facing_after) {
-  return facing_after >= std::min(facing_before, std::max(kept_share * facing_before, tolerance::least_facing));
+  return facing_after >=
+         std::min(facing_before, std::max(tolerance::kept_facing * facing_before, tolerance::least_facing));
 }
 
 }  // namespace

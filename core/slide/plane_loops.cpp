@@ -206,9 +206,10 @@ int winding_number(const Points& loop, const Vector3& center, const Vector3& nor
 
 SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index) {
   try {
-    check_definition(slide);
-    if (const auto* plane = std::get_if<PointNormalDefinition>(&slide.definition))
+    if (const auto* plane = std::get_if<PointNormalDefinition>(&slide.definition)) {
+      check_definition(slide);
       return place_by_point(mesh, *plane, slide.name, index);
+    }
     if (const auto* stroke = std::get_if<StrokeDefinition>(&slide.definition))
       return place_ellipse(mesh, fit_stroke(stroke->points, slide.name), slide.name, index);
     return place_ellipse(mesh, from_radii(std::get<EllipseDefinition>(slide.definition), slide.name), slide.name,
