@@ -5,7 +5,7 @@
 #   include/cagewright/cagewright.h         its C ABI
 #   lib/cmake/cagewright/                   find_package(cagewright): target cagewright::abi, CAGEWRIGHT_PLUGIN_PATH
 #   lib/pkgconfig/cagewright.pc             pkg-config --cflags cagewright, --variable=plugin
-#   share/doc/cagewright/                   LICENSE, README, CHANGELOG, the user's documents
+#   share/doc/cagewright/                   LICENSE, README and all documents that it links to, in the folders of the source
 
 include(CMakePackageConfigHelpers)
 
@@ -16,7 +16,8 @@ set(CAGEWRIGHT_PKGCONFIG_DIR "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
 # plugin/ and host/cli/ install what they build, into these folders; here follow the documents and the packages.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
-        DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+        "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/testdata/README.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}/testdata")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
         FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the build, moves the tree elsewhere, and builds and runs the consumer against it, as found by find_package
 # and as found by pkg-config. Needs -D: BUILD_DIR, SOURCE_DIR (of the consumer), WORK_DIR, VERSION, C_COMPILER, C_FLAGS,
-# LIBDIR, BINDIR, PROGRAM (TRUE where the program was built).
+# LIBDIR, BINDIR, DOCDIR, PROGRAM (TRUE where the program was built).
 cmake_minimum_required(VERSION 3.25)
 
 function(run output)
@@ -61,3 +61,6 @@ if(PROGRAM)
     message(FATAL_ERROR "the installed program's parameters lack refine.iterations:\n${found}")
   endif()
 endif()
+
+# The installed documents' links lead to installed files.
+run(found "${CMAKE_COMMAND}" "-DROOT=${prefix}/${DOCDIR}" -P "${CMAKE_CURRENT_LIST_DIR}/check_links.cmake")

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/cli/exit_code.h"
@@ -14,6 +15,8 @@
 #include "host/cli/progress.h"
 #include "host/cli/run_report.h"
 #include "host/cli/text.h"
+#include "host/file/atomic_file.h"
+#include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
 #include "host/file/mesh_reader.h"
 #include "host/file/mesh_writer.h"
@@ -39,6 +42,9 @@ void check_outputs(const CageCommand& command) {
   if (command.out && !is_writable_mesh_name(*command.out)) {
     throw UsageError("-o " + command.out->string() + ": a cage is written as .obj, .off, .ply, .stl or .glb");
   }
+  if (command.picture && lower_ending(*command.picture) != ".png") {
+    throw UsageError("--picture " + command.picture->string() + ": a picture is written as .png");
+  }
   std::vector<std::filesystem::path> inputs = {command.model}, outputs;
   if (command.slides) inputs.push_back(*command.slides);
   for (const OptionalPath* output : {&command.out, &command.report, &command.picture}) {
@@ -57,7 +63,6 @@ class CageRun {
     check_outputs(command_);
     plugin_ = Plugin::load(find_plugin(command_.plugin));
     read_inputs();
-    throw_if_interrupted();
     Session session(plugin_, listener());
     fill(session);
     solve(session);
@@ -65,7 +70,6 @@ class CageRun {
     const cgw_mesh_report cage_report = plugin_->inspect(cage);
     Report report = describe_run(command_, *plugin_, session, cage, cage_report);
     write(session, cage, report);
-    sum_up(report);
     return is_closed_manifold(cage_report) ? exit_done : exit_not_certified;
   }
 
@@ -117,12 +121,12 @@ class CageRun {
   }
 
   void fill(Session& session) {
-    for (const auto& [id, value] : command_.parameters) {
+    for (const Setting& setting : command_.settings) {
       try {
-        session.set_parameter(id, value);
+        session.set_parameter(setting.id, setting.value);
       } catch (const PluginError& error) {
         if (blame(error.status()) != Blame::parameter) throw;
-        throw InputError("--set " + id + "=" + value + ": " + error.what());
+        throw InputError(setting.typed + ": " + error.what());
       }
     }
     try {
@@ -137,11 +141,12 @@ class CageRun {
 
   void solve(Session& session) const {
     try {
+      const HeededInterrupts heeded;  // by the listener's may_continue
       session.solve(command_.threads);
+      throw_if_interrupted();
     } catch (const PluginError& error) {
       rethrow(error);
     }
-    throw_if_interrupted();
   }
 
   std::string picture(const Session& session, const TriangleMesh& cage) const {
@@ -156,24 +161,23 @@ class CageRun {
                               std::to_array(slide.info.v), slide.info.status != CGW_OK});
     }
     for (const cgw_section& section : session.sections()) input.sections.push_back(std::to_array(section.corners));
-    const std::vector<std::uint8_t> png = render_picture(input);
+    const std::vector<std::uint8_t> png = render_picture(input, command_.picture_options);
     return {png.begin(), png.end()};
   }
 
   void write(const Session& session, const TriangleMesh& cage, Report& report) {
     progress_.show(1, "write");
     const Stopwatch writing;
-    OutputFiles outputs;
-    if (command_.out) outputs.add(*command_.out, mesh_bytes(cage, *command_.out));
-    if (command_.picture) outputs.add(*command_.picture, picture(session, cage));
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
+    if (command_.out) files.emplace_back(*command_.out, mesh_bytes(cage, *command_.out));
+    if (command_.picture) files.emplace_back(*command_.picture, picture(session, cage));
     report.timings_ms.read = read_ms_;
     report.timings_ms.prepare = prepare_ms_;
     report.timings_ms.write = writing.milliseconds();
     report.timings_ms.total = total_.milliseconds();
     report.peak_memory_mb = peak_memory_mb();
-    if (command_.report) outputs.add(*command_.report, report_text(report));
-    throw_if_interrupted();
-    outputs.commit();
+    if (command_.report) files.emplace_back(*command_.report, report_text(report));
+    write_files(files, [&] { sum_up(report); });
   }
 
   void sum_up(const Report& report) const {

@@ -5,6 +5,8 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/cli/exit_code.h"
 #include "host/cli/input_error.h"
@@ -94,13 +96,15 @@ int run_check(const CheckCommand& command) {
   report.peak_memory_mb = peak_memory_mb();
   report.version = CAGEWRIGHT_VERSION;
   report.options = {{"model", path_option(command.model)}, {"cage", path_option(command.cage)}};
-  if (command.report) write_atomically(*command.report, report_text(report));
-
-  print_mesh("model", command.model, model);
-  print_mesh("cage", command.cage, cage);
-  const std::optional<double> ratio = report.tightness.volume_ratio;
-  std::cout << "volume ratio " << (ratio ? figure_text(*ratio) : "unknown") << "\n"
-            << "the cage is " << (is_good ? "" : "NOT ") << "a closed, consistently oriented 2-manifold\n";
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  if (command.report) files.emplace_back(*command.report, report_text(report));
+  write_files(files, [&] {
+    print_mesh("model", command.model, model);
+    print_mesh("cage", command.cage, cage);
+    const std::optional<double> ratio = report.tightness.volume_ratio;
+    std::cout << "volume ratio " << (ratio ? figure_text(*ratio) : "unknown") << "\n"
+              << "the cage is " << (is_good ? "" : "NOT ") << "a closed, consistently oriented 2-manifold\n";
+  });
   return is_good ? exit_done : exit_not_certified;
 }
 

@@ -4,10 +4,17 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "host/cli/exit_code.h"
+#include "host/cli/input_error.h"
+#include "host/cli/picture_arguments.h"
+#include "host/file/file_error.h"
 
 namespace cagewright::host {
 namespace {
+
+std::string number_fault(const std::string& text) {
+  double number = 0;
+  return CLI::detail::lexical_cast(text, number) ? "" : "needs a number, not " + in_quotes(text);
+}
 
 // CLI11's options for the structs of the header.
 class CommandLine {
@@ -25,20 +32,25 @@ class CommandLine {
 
   Command parse(int argc, const char* const* argv) {
     if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
-      std::cerr << "cagewright: there is no command \"" << argv[1] << "\", only cage, check and params; see --help\n";
-      return Ended{exit_usage};
+      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check and params");
     }
     try {
       app_.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // for help or the version
+      app_.exit(asked, std::cout, std::cerr);
+      return Ended{};
+    } catch (const CLI::RequiredError& error) {
+      // CLI11 misses an argument before it minds one that it does not know, which may be that one mistyped.
+      const std::vector<std::string> unknown = app_.remaining(true);
+      throw UsageError(unknown.empty() ? error.what() : CLI::ExtrasError(unknown).what());
     } catch (const CLI::ParseError& error) {
-      return Ended{app_.exit(error, std::cout, std::cerr) == 0 ? exit_done : exit_usage};
+      throw UsageError(error.what());
     }
     if (cage_app_->parsed()) return cage();
     if (check_app_->parsed()) return check_;
     if (params_app_->parsed()) return params_;
     const char* name = view_->parsed() ? "view" : "validate";
-    std::cerr << "cagewright: \"" << name << "\" is not part of this version; there are cage, check and params\n";
-    return Ended{exit_usage};
+    throw UsageError(in_quotes(name) + " is not part of this version; there are cage, check and params");
   }
 
  private:
@@ -49,33 +61,55 @@ class CommandLine {
 
   void add_cage() {
     cage_app_ = app_.add_subcommand("cage", "Make a cage of a model");
-    cage_app_->add_option("MODEL", cage_.model, "Closed mesh: .glb .gltf .obj .off .ply .stl")->required();
-    cage_app_->add_option("--slides", cage_.slides, "The cut slides, JSON; without any, the cage is a box");
-    cage_app_->add_option("-o,--out", cage_.out, "The cage: .obj .off .ply .stl .glb");
-    const CLI::Validator number = CLI::Number;
+    add_file(*cage_app_, "MODEL", cage_.model, "Closed mesh: .glb .gltf .obj .off .ply .stl")->required();
+    add_file(*cage_app_, "--slides", cage_.slides, "The cut slides, JSON; without any, the cage is a box");
+    add_file(*cage_app_, "-o,--out", cage_.out, "The cage: .obj .off .ply .stl .glb");
+    const CLI::Validator number([](const std::string& text) { return number_fault(text); }, "");
     cage_app_->add_option("--delta", delta_, "Short for --set refine.delta=D, a fraction of the diagonal")
+        ->type_name("NUMBER")
         ->check(number);
-    cage_app_->add_option("--lambda", lambda_, "Short for --set orient.lambda=L")->check(number);
-    cage_app_->add_option("--iterations", iterations_, "Short for --set refine.iterations=N")->check(number);
+    cage_app_->add_option("--lambda", lambda_, "Short for --set orient.lambda=L")->type_name("NUMBER")->check(number);
+    cage_app_->add_option("--iterations", iterations_, "Short for --set refine.iterations=N")
+        ->type_name("NUMBER")
+        ->check(number);
     cage_app_->add_option("--set", set_, "Set a parameter; \"cagewright params\" lists them")
         ->type_name("ID=VALUE")
         ->allow_extra_args(false)
         ->check([](const std::string& text) -> std::string {
-          return text.find('=') == 0 || text.find('=') == text.npos ? "--set needs ID=VALUE, not \"" + text + "\"" : "";
+          return text.find('=') == 0 || text.find('=') == text.npos ? "needs ID=VALUE, not " + in_quotes(text) : "";
         });
-    cage_app_->add_option("--report", cage_.report, "Figures of the run, JSON");
-    cage_app_->add_option("--picture", cage_.picture, "Model, slides and cage, PNG; needs a display");
+    add_file(*cage_app_, "--report", cage_.report, "Figures of the run, JSON");
+    add_picture();
     cage_app_->add_option("--threads", cage_.threads, "0 (default): as many as the machine has")
         ->check(CLI::Range(0, 4096));
     cage_app_->add_flag("--quiet", cage_.quiet, "No progress and no notes on stderr, only errors");
     add_plugin(*cage_app_, cage_.plugin);
   }
 
+  template <class Path>
+  static CLI::Option* add_file(CLI::App& app, const char* name, Path& path, const char* meaning) {
+    return app.add_option(name, path, meaning)->type_name("FILE");
+  }
+
+  void add_picture() {
+    CLI::Option* picture =
+        add_file(*cage_app_, "--picture", cage_.picture, "Model, slides and cage, PNG; needs a display");
+    cage_app_->add_option("--picture-up", picture_.up, "What is up in the picture (default 0,1,0)")
+        ->type_name("X,Y,Z")
+        ->needs(picture);
+    cage_app_->add_option("--picture-from", picture_.from, "Direction from the model to the viewer")
+        ->type_name("X,Y,Z")
+        ->needs(picture);
+    cage_app_->add_option("--picture-size", picture_.size, "In pixels (default 1280x800)")
+        ->type_name("WxH")
+        ->needs(picture);
+  }
+
   void add_check() {
     check_app_ = app_.add_subcommand("check", "Judge any cage of a model");
-    check_app_->add_option("MODEL", check_.model, "Mesh: .glb .gltf .obj .off .ply .stl")->required();
-    check_app_->add_option("CAGE", check_.cage, "Its cage, in any of these formats")->required();
-    check_app_->add_option("--report", check_.report, "The figures, JSON");
+    add_file(*check_app_, "MODEL", check_.model, "Mesh: .glb .gltf .obj .off .ply .stl")->required();
+    add_file(*check_app_, "CAGE", check_.cage, "Its cage, in any of these formats")->required();
+    add_file(*check_app_, "--report", check_.report, "The figures, JSON");
     check_app_->add_flag("--quiet", check_.quiet, "No notes on stderr, only errors");
     add_plugin(*check_app_, check_.plugin);
   }
@@ -87,26 +121,32 @@ class CommandLine {
   }
 
   static void add_plugin(CLI::App& app, OptionalPath& plugin) {
-    app.add_option("--plugin", plugin,
-                   "The plug-in; otherwise $CAGEWRIGHT_PLUGIN, or the one installed with this program");
+    add_file(app, "--plugin", plugin,
+             "The plug-in; otherwise $CAGEWRIGHT_PLUGIN, or the one installed with this program");
   }
 
   CageCommand cage() {
-    const std::pair<const char*, const std::optional<std::string>*> short_forms[] = {
-        {"refine.delta", &delta_}, {"orient.lambda", &lambda_}, {"refine.iterations", &iterations_}};
-    for (const auto& [id, value] : short_forms) {
-      if (*value) cage_.parameters.emplace_back(id, **value);
+    struct ShortForm {
+      const char *option, *id;
+      const std::optional<std::string>& value;
+    };
+    for (const ShortForm& form : {ShortForm{"--delta", "refine.delta", delta_},
+                                  {"--lambda", "orient.lambda", lambda_},
+                                  {"--iterations", "refine.iterations", iterations_}}) {
+      if (form.value) cage_.settings.push_back({form.id, *form.value, form.option + (" " + *form.value)});
     }
     for (const std::string& text : set_) {
       const std::size_t equals = text.find('=');
-      cage_.parameters.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+      cage_.settings.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
     }
+    cage_.picture_options = to_options(picture_);
     return cage_;
   }
 
   CLI::App app_;
   CLI::App *cage_app_ = nullptr, *check_app_ = nullptr, *params_app_ = nullptr, *validate_ = nullptr, *view_ = nullptr;
   CageCommand cage_;
+  PictureArguments picture_;
   CheckCommand check_;
   ParamsCommand params_;
   std::optional<std::string> delta_, lambda_, iterations_;

@@ -6,19 +6,27 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
+
+#include "host/view/picture.h"
 
 namespace cagewright::host {
 
 using OptionalPath = std::optional<std::filesystem::path>;
 
+// A parameter of the plug-in and its new value.
+struct Setting {
+  std::string id, value;
+  std::string typed;  // the option as sentences name it: "--delta 2", "--set refine.delta=2"
+};
+
 struct CageCommand {
   std::filesystem::path model;
   OptionalPath slides, out, report, picture, plugin;
-  // ID and value in the order in which they are to be set: --delta, --lambda, --iterations, then every --set.
-  std::vector<std::pair<std::string, std::string>> parameters;
+  PictureOptions picture_options;  // of one view, which is sound
+  // In the order in which they are to be set: --delta, --lambda, --iterations, then every --set.
+  std::vector<Setting> settings;
   std::uint32_t threads = 0;  // 0: as many as the machine has
   bool quiet = false;
 };
@@ -34,14 +42,12 @@ struct ParamsCommand {
   bool as_json = false;
 };
 
-// Nothing is left to do but to end with this code; what there was to say has been said.
-struct Ended {
-  int exit_code = 0;
-};
+// Help or version was asked for and has been printed.
+struct Ended {};
 
 using Command = std::variant<CageCommand, CheckCommand, ParamsCommand, Ended>;
 
-// Reads the command line; help and version go to stdout, what is wrong with it to stderr (Ended with exit_usage).
+// Reads the command line; help and version go to stdout. Throws UsageError where something is wrong with it.
 Command parse_command_line(int argc, const char* const* argv);
 
 }  // namespace cagewright::host

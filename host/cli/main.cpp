@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -10,6 +11,7 @@
 #include "host/cli/exit_code.h"
 #include "host/cli/input_error.h"
 #include "host/cli/interrupt.h"
+#include "host/cli/output_files.h"
 #include "host/cli/params_command.h"
 #include "host/cli/text.h"
 #include "host/file/file_error.h"
@@ -24,7 +26,7 @@ struct Run {
   int operator()(const CageCommand& command) const { return run_cage(command); }
   int operator()(const CheckCommand& command) const { return run_check(command); }
   int operator()(const ParamsCommand& command) const { return run_params(command); }
-  int operator()(const Ended& ended) const { return ended.exit_code; }
+  int operator()(const Ended&) const { return exit_done; }
 };
 
 int say(int exit_code, const std::string& sentence) {
@@ -38,12 +40,13 @@ int exit_code_of(PictureFault fault) { return fault == PictureFault::no_display 
 
 int main(int argc, char** argv) {
   try {
-    heed_interrupts();
+    end_on_interrupts();
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like a full disk, with files to clear away
     const int exit_code = std::visit(Run{}, parse_command_line(argc, argv));
-    if (!std::cout.flush()) return say(exit_bad_input, "standard output cannot be written");
+    flush_standard_output();
     return exit_code;
   } catch (const UsageError& error) {
-    return say(exit_usage, error.what());
+    return say(exit_usage, std::string(error.what()) + "; see --help");
   } catch (const InputError& error) {
     return say(exit_bad_input, error.what());
   } catch (const FileError& error) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/cli/output_files.h"
 
+#include <cerrno>
+#include <iostream>
 #include <system_error>
 #include <utility>
 
 #include "host/cli/input_error.h"
-
-#include <utility>
+#include "host/cli/interrupt.h"
+#include "host/file/atomic_file.h"
 
 namespace cagewright::host {
 namespace {
@@ -32,12 +34,23 @@ void require_distinct(const std::vector<std::filesystem::path>& inputs,
   }
 }
 
-void OutputFiles::add(const std::filesystem::path& path, std::string bytes) {
-  outputs_.emplace_back(path, std::move(bytes));
+void flush_standard_output() {
+  errno = 0;
+  if (std::cout.flush()) return;
+  const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  throw InputError("standard output cannot be written" + reason);
 }
 
-void OutputFiles::commit() {
-  for (Output& output : outputs_) output.file.commit();
+void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
+                 const std::function<void()>& sum_up) {
+  const HeededInterrupts heeded;
+  std::vector<AtomicFile> outputs;
+  for (const auto& [path, bytes] : files) outputs.emplace_back(path, bytes);
+  sum_up();
+  flush_standard_output();
+  throw_if_interrupted();
+  for (AtomicFile& output : outputs) output.commit();
+  ignore_interrupts();
 }
 
 }  // namespace cagewright::host

@@ -3,11 +3,10 @@
 #define CAGEWRIGHT_HOST_CLI_OUTPUT_FILES_H
 
 #include <filesystem>
-#include <list>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
-
-#include "host/file/atomic_file.h"
 
 namespace cagewright::host {
 
@@ -15,23 +14,16 @@ namespace cagewright::host {
 void require_distinct(const std::vector<std::filesystem::path>& inputs,
                       const std::vector<std::filesystem::path>& outputs);
 
-// The files that a run makes: all are wholly on disk under temporary names before the first gets its own, so that a
-// run that fails leaves none.
-class OutputFiles {
- public:
-  // Throws FileError.
-  void add(const std::filesystem::path& path, std::string bytes);
-  // Throws FileError; files that already have their names keep them.
-  void commit();
+// Ends what was printed on standard output so far. Throws InputError where it cannot be written: a full disk, a pipe
+// that nobody reads. To be called before files get their names, so that a run fails as a whole.
+void flush_standard_output();
 
- private:
-  struct Output {
-    Output(const std::filesystem::path& path, std::string content) : bytes(std::move(content)), file(path, bytes) {}
-    std::string bytes;
-    AtomicFile file;
-  };
-  std::list<Output> outputs_;  // a list, as AtomicFile borrows the bytes
-};
+// Writes the files that a run makes, and what `sum_up` prints on standard output: all files are wholly on disk under
+// temporary names and the summary is out before the first file gets its own, so that a run that fails or is interrupted
+// (host/cli/interrupt.h) leaves none. Afterwards interrupts are ignored. Throws FileError (files that already have
+// their names keep them), InputError and Cancelled.
+void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
+                 const std::function<void()>& sum_up);
 
 }  // namespace cagewright::host
 

@@ -10,16 +10,21 @@
 namespace cagewright::host {
 namespace {
 
-using Reader = MeshFile (*)(const std::filesystem::path&, std::string_view);
+using Reader = MeshFile (*)(const std::filesystem::path&, std::string_view, MeshRole);
+
+template <MeshFile (*read)(const std::filesystem::path&, std::string_view)>
+MeshFile for_any_role(const std::filesystem::path& path, std::string_view bytes, MeshRole) {
+  return read(path, bytes);
+}
 
 struct Format {
   std::string_view ending;
   Reader read;
 };
-constexpr std::array<Format, 6> formats = {{{".obj", read_obj},
-                                            {".off", read_off},
-                                            {".ply", read_ply},
-                                            {".stl", read_stl},
+constexpr std::array<Format, 6> formats = {{{".obj", for_any_role<read_obj>},
+                                            {".off", for_any_role<read_off>},
+                                            {".ply", for_any_role<read_ply>},
+                                            {".stl", for_any_role<read_stl>},
                                             {".glb", read_gltf},
                                             {".gltf", read_gltf}}};
 
@@ -35,7 +40,7 @@ Reader reader_for(const std::filesystem::path& path) {
 
 bool is_mesh_file_name(const std::filesystem::path& path) { return reader_for(path) != nullptr; }
 
-MeshFile read_mesh(const std::filesystem::path& path) {
+MeshFile read_mesh(const std::filesystem::path& path, MeshRole role) {
   const Reader read = reader_for(path);
   if (read == nullptr) {
     const std::string ending = lower_ending(path);
@@ -46,7 +51,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   }
   const std::string bytes = read_bytes(path);
   if (bytes.empty()) throw FileError(path, {}, "is not a mesh: the file is empty");
-  return read(path, bytes);
+  return read(path, bytes, role);
 }
 
 }  // namespace cagewright::host

@@ -12,10 +12,13 @@ namespace cagewright::host {
 // Whether `path` ends in one of .obj .off .ply .stl .glb .gltf, in any case.
 bool is_mesh_file_name(const std::filesystem::path& path);
 
+// What a scene is read for: a cage of ours in it is not part of its model, but is what a cage is read from.
+enum class MeshRole { model, cage };
+
 // Reads the mesh of a file, format by its ending. Faces that are not manifold, degenerate faces and unused vertices are
 // kept; polygons become triangles. Throws FileError: missing, unreadable, unknown ending, cut short, not a mesh, NaN or
 // infinite positions, indices out of range, no triangles. O(file size).
-MeshFile read_mesh(const std::filesystem::path& path);
+MeshFile read_mesh(const std::filesystem::path& path, MeshRole role = MeshRole::model);
 
 // The readers of single formats, from the file's bytes; `path` is for sentences (and for the files that a .gltf names).
 // OBJ: v (with w or colours), f (negative indices too) and line continuations; every other statement is skipped, free
@@ -30,7 +33,7 @@ MeshFile read_stl(const std::filesystem::path& path, std::string_view bytes);
 // glTF 2.0, text or binary (told apart by the first bytes): the triangles of the default scene. One mesh node: its own
 // local space, untouched by its transform. Several: merged in the scene's space, with a note. Points and lines are
 // skipped with a note, morph targets and skins are not applied.
-MeshFile read_gltf(const std::filesystem::path& path, std::string_view bytes);
+MeshFile read_gltf(const std::filesystem::path& path, std::string_view bytes, MeshRole role = MeshRole::model);
 
 }  // namespace cagewright::host
 

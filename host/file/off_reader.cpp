@@ -86,7 +86,10 @@ class OffReader {
     if (scanner_.at_end()) fail_short("face", i, faces_);
     const std::int64_t corners = scanner_.to_integer(scanner_.word("a face"), "the number of corners of a face");
     if (corners < 3) {
-      scanner_.fail("face " + std::to_string(i) + " has " + std::to_string(corners) + " corners; it needs at least 3");
+      scanner_.fail(
+          "face " + std::to_string(i) + " has " +
+          (corners < 0 ? std::to_string(corners) + " corners" : counted(static_cast<std::size_t>(corners), "corner")) +
+          "; it needs at least 3");
     }
     for (std::int64_t k = 0; k < corners; ++k) {
       const std::int64_t vertex = scanner_.to_integer(scanner_.word("a corner of a face"), "a corner of a face");

@@ -38,7 +38,7 @@ class SlidesReader {
     if (!json.is_object()) fail("should be an object with \"version\" and \"slides\"");
     if (!json.contains("version")) fail("has no \"version\"; this program reads version 1");
     const Json& version = json["version"];
-    if (!version.is_number_integer() || version != 1) {
+    if (!version.is_number() || version != 1) {
       fail("is of version " + in_quotes(version.dump()) + "; this program reads version 1");
     }
     for (const auto& [key, value] : json.items()) {

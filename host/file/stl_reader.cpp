@@ -139,7 +139,7 @@ bool is_binary(const std::filesystem::path& path, std::string_view bytes) {
     throw FileError(path, {}, "is not STL: it is no text that begins with \"solid\", and too short to be binary");
   const std::string promise =
       counted(static_cast<std::size_t>((promised_size(bytes) - header_bytes) / triangle_bytes), "triangle") + ", " +
-      std::to_string(promised_size(bytes)) + " bytes";
+      counted(static_cast<std::size_t>(promised_size(bytes)), "byte");
   throw FileError(
       path, Byte{80},
       "is not STL or damaged: as binary STL it promises " + promise + ", but it has " + std::to_string(bytes.size()));

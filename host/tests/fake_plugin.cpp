@@ -8,6 +8,7 @@
 //   no_sentence           errors have no sentence
 //   wait                  solve reports progress until the host cancels
 //   slow, deaf            solve announces itself, then works on for a while, or for ever, without asking the host
+//   mesh_log, mesh_deaf   set_mesh says so first, works for ever
 //   mesh_open, slides_touch, out_of_memory, internal   how solve or set_mesh fails
 #include <cagewright/cagewright.h>
 
@@ -150,6 +151,8 @@ cgw_status last_error_info(const cgw_session* session, cgw_error_info* out) {
 }
 
 cgw_status set_mesh(cgw_session* session, const cgw_mesh* mesh) {
+  if (asked("mesh_log") && session->host.log != nullptr) session->host.log(session->host.user, CGW_LOG_INFO, "mesh");
+  while (asked("mesh_deaf")) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   if (asked("mesh_open")) return fail(session, CGW_ERROR_MESH_OPEN, "the mesh has 3 open edges, the first at vertex 7");
   session->points.assign(mesh->vertices, mesh->vertices + 3 * mesh->vertex_count);
   session->triangles.assign(mesh->triangles, mesh->triangles + 3 * mesh->triangle_count);

@@ -6,6 +6,7 @@
 #include "host/tests/expect_file_error.h"
 #include "host/tests/glb_sample.h"
 #include "host/tests/sample_meshes.h"
+#include "host/tests/temporary_folder.h"
 
 namespace cagewright::host {
 namespace {
@@ -91,6 +92,55 @@ TEST(GltfReaderErrors, NameTheVertexThatIsNotFinite) {
                     {"a.glb", "mesh 0, primitive 0", "vertex 1", "not finite"});
 }
 
+TEST(GltfReaderErrors, NameThePlaceWhereTheJsonIsBroken) {
+  const auto expect = [](const std::string& bytes, std::vector<std::string> parts) {
+    SCOPED_TRACE(bytes.substr(0, 60));
+    parts.emplace_back("its JSON");
+    expect_file_error([&] { read_gltf("a.glb", bytes); }, parts);
+    try {
+      read_gltf("a.glb", bytes);
+    } catch (const FileError& error) {
+      EXPECT_EQ(std::string(error.what()).find("json.exception"), std::string::npos) << error.what();
+    }
+  };
+  GlbSample sample;
+  sample.one_triangle();
+  std::string broken = sample.bytes();
+  const std::size_t colon = broken.find(':');
+  broken[colon] = '\x01';
+  expect(broken, {"a.glb, byte " + std::to_string(colon) + ": ", "broken at \"?"});
+  broken = sample.bytes();
+  broken[broken.find_last_of('}')] = ' ';  // the JSON is padded to four bytes, or not
+  expect(broken, {"a.glb, byte ", "ends in the middle", "export it again"});
+  expect("{\n \"asset\": {\"version\": \"2.0\"},\n  oops}", {"a.glb, line 3, column 3: ", "broken at \"oops}\""});
+  expect("{\"asset\": {\"version\": \"2.0\"", {"line 1", "ends in the middle"});
+}
+
+TEST(GltfReaderErrors, NameTheNumberBeyondTheRangeOfDoubles) {
+  expect_file_error([] { read_gltf("a.gltf", "{\"asset\":\n {\"version\": 1e999}}"); },
+                    {"a.gltf, line 2, column 14: ", "range of doubles", "\"1e999\""});
+}
+
+TEST(GltfReaderErrors, NameTheChunkThatIsNotAsTheHeaderSays) {
+  GlbSample sample;
+  sample.one_triangle();
+  std::string long_chunk = sample.bytes(), other_chunk = sample.bytes();
+  long_chunk[14] = 1;  // adds 65536
+  other_chunk.replace(16, 4, "JSOM");
+  expect_file_error([&] { read_gltf("a.glb", long_chunk); }, {"a.glb, byte 12: ", "its JSON should have", "follow"});
+  expect_file_error([&] { read_gltf("a.glb", other_chunk); }, {"a.glb, byte 16: ", "first chunk", "JSON"});
+}
+
+TEST(GltfReaderErrors, NameTheBufferFileThatIsMissingAndTheFileThatNamesIt) {
+  const TemporaryFolder folder;
+  GlbSample sample;
+  sample.one_triangle();
+  sample.json["buffers"][0] = {{"uri", "no%20such.bin"}, {"byteLength", 44}};
+  folder.write("a.gltf", sample.json.dump());
+  expect_file_error([&] { read_mesh(folder / "a.gltf"); },
+                    {(folder / "a.gltf").string() + ": ", "file \"no such.bin\"", "put it there", ".glb"});
+}
+
 TEST(GltfReaderErrors, SayThatCompressionIsNotSupported) {
   expect_after([](json& j) { j["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }, {"a.glb", "Draco"});
   expect_after([](json& j) { j["extensionsRequired"] = {"EXT_meshopt_compression"}; }, {"a.glb", "meshopt"});
@@ -107,7 +157,7 @@ TEST(GltfReaderErrors, SayWhatIsNotGltf) {
     SCOPED_TRACE(bytes.substr(0, 60));
     expect_file_error([&] { read_gltf("a.gltf", bytes); }, parts);
   };
-  expect("hello there", {"a.gltf", "cannot be read as glTF"});
+  expect("hello there", {"a.gltf, line 1, column 1: ", "its JSON is broken at \"hello there\""});
   expect("[1, 2, 3]", {"a.gltf", "object"});
   expect("{}  ", {"a.gltf", "asset"});
   expect("{\"asset\": {\"version\": \"1.0\"}}", {"a.gltf", "1.0", "only 2.0"});

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The program as other programs see it: exit codes, files, one clear line on stderr.
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "host/file/mesh_reader.h"
 #include "host/file/mesh_writer.h"
-#include "host/tests/run_program.h"
+#include "host/tests/program_fixture.h"
 #include "host/tests/sample_meshes.h"
-#include "host/tests/temporary_folder.h"
 
 namespace cagewright::host {
 namespace {
@@ -17,39 +14,7 @@ namespace {
 using nlohmann::json;
 using Names = std::set<std::string>;
 
-// A folder with a model and two slides.
-class ProgramTest : public testing::Test {
- protected:
-  ProgramTest() {
-    TriangleMesh model = unit_cube();
-    for (double& x : model.points) x = 2 * x + 0.1;
-    folder.write("m.off", mesh_bytes(model, "m.off"));
-    folder.write("s.json", R"({"version": 1, "slides": [{"name": "a", "point": [0,0,0], "normal": [0,0,1]},
-                                                        {"name": "b", "center": [0,0,0], "u": [1,0,0], "v": [0,1,0]}]})");
-  }
-
-  std::string at(const std::string& name) const { return (folder / name).string(); }
-
-  // `cage` on the model and the slides with more arguments.
-  ProgramRun cage(std::vector<std::string> arguments, const std::string& fake = "") const {
-    arguments.insert(arguments.begin(), {"cage", at("m.off"), "--slides", at("s.json")});
-    return run_program(arguments, {{"CAGEWRIGHT_FAKE", fake}});
-  }
-
-  // The run failed with this code, said so in one last line that holds all parts, and left no file behind.
-  void expect_failure(const ProgramRun& run, int exit_code, const std::vector<std::string>& parts) const {
-    EXPECT_EQ(run.exit_code, exit_code) << run.errors;
-    EXPECT_EQ(run.output, "");
-    ASSERT_TRUE(run.errors.ends_with('\n')) << run.errors;
-    const std::size_t begin = run.errors.rfind('\n', run.errors.size() - 2) + 1;  // npos + 1 is 0
-    const std::string line = run.errors.substr(begin);
-    EXPECT_EQ(line.find("cagewright: "), 0u) << run.errors;
-    for (const std::string& part : parts) EXPECT_NE(line.find(part), line.npos) << part << "\nis not in: " << line;
-    EXPECT_EQ(folder.names(), (Names{"m.off", "s.json"}));
-  }
-
-  TemporaryFolder folder;
-};
+class ProgramTest : public ProgramFixture {};
 
 TEST_F(ProgramTest, MakesACageAndAReport) {
   const ProgramRun run = cage({"-o", at("cage.obj"), "--report", at("r.json"), "--set", "refine.scope=part", "--lambda",
@@ -97,29 +62,6 @@ TEST_F(ProgramTest, WritesTheFilesButExitsWith1WhereTheCageIsOpen) {
   EXPECT_TRUE(json::parse(folder.read("r.json"))["cage"]["genus"].is_null());
 }
 
-TEST_F(ProgramTest, ExitsWith2ForWrongUsageAndSaysWhat) {
-  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& part) {
-    const ProgramRun run = run_program(arguments);
-    EXPECT_EQ(run.exit_code, 2) << run.errors;
-    EXPECT_NE(run.errors.find(part), std::string::npos) << run.errors;
-  };
-  expect({}, "subcommand");
-  expect({"bake"}, "bake");
-  expect({"cage"}, "MODEL");
-  expect({"check", at("m.off")}, "CAGE");
-  expect({"cage", at("m.off"), "--delta", "much"}, "--delta");
-  expect({"cage", at("m.off"), "--set", "refine.scope"}, "ID=VALUE");
-  expect({"cage", at("m.off"), "--threads", "-1"}, "--threads");
-  expect({"cage", at("m.off"), "--colour"}, "--colour");
-  expect({"cage", at("m.off"), "-o", at("cage.fbx")}, "cage.fbx");
-  expect({"cage", at("m.off"), "-o", at("m.off")}, "m.off is named twice");
-  expect({"cage", at("m.off"), "-o", at("a.obj"), "--report", at("./a.obj")}, "a.obj is named twice");
-  expect({"check", at("m.off"), at("c.off"), "--report", at("m.off")}, "m.off is named twice");
-  expect({"view"}, "not part of this version");
-  expect({"validate", "scene.glb", "--all"}, "not part of this version");
-  EXPECT_EQ(folder.names(), (Names{"m.off", "s.json"}));
-}
-
 TEST_F(ProgramTest, HelpAndVersionGoToStdout) {
   EXPECT_EQ(run_program({"--version"}).output.find("cagewright "), 0u);
   for (const auto& arguments : {std::vector<std::string>{"--help"}, {"cage", "--help"}}) {
@@ -140,7 +82,7 @@ TEST_F(ProgramTest, ExitsWith3AndNamesTheBadInput) {
   expect_failure(cage({"-o", out}, "mesh_open"), 3, {"m.off", "3 open edges", "vertex 7"});
   expect_failure(cage({"-o", out}, "slides_touch"), 3, {"s.json", "\"a\" and \"b\" touch"});
   expect_failure(cage({"-o", out, "--set", "refine.magic=1"}), 3, {"refine.magic=1", "no parameter"});
-  expect_failure(cage({"-o", out, "--lambda", "-1"}), 3, {"orient.lambda=-1", "at least 0"});
+  expect_failure(cage({"-o", out, "--lambda", "-1"}), 3, {"--lambda -1", "at least 0"});
   expect_failure(cage({"-o", at("no/cage.obj")}), 3, {"cage.obj", "cannot be written", "no folder"});
   expect_failure(cage({"-o", out, "--report", at("no/r.json")}), 3, {"r.json", "cannot be written", "no folder"});
   expect_failure(cage({"-o", out, "--plugin", at("none.so")}), 3, {"none.so", "no such plug-in"});
@@ -175,6 +117,26 @@ TEST_F(ProgramTest, WritesNothingWhereOneOfTheFilesCannotBeWritten) {
   for (double& x : far.points) x *= 1e39;
   folder.write("m.off", mesh_bytes(far, "m.off"));
   expect_failure(cage({"-o", at("cage.glb"), "--report", at("r.json")}), 3, {"cage.glb", "vertex", "floats"});
+}
+
+TEST_F(ProgramTest, WritesNothingWhereItsSummaryCannotBeWritten) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  const auto run = [](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all = {"-c", "exec \"$0\" \"$@\" > /dev/full", PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_program(all, {}, "/bin/sh");
+  };
+  const std::vector<std::string> parts = {"standard output cannot be written", "No space left"};
+  expect_failure(run({"cage", at("m.off"), "-o", at("cage.obj"), "--report", at("r.json")}), 3, parts);
+  expect_failure(run({"check", at("m.off"), at("m.off"), "--report", at("r.json")}), 3, parts);
+  expect_failure(run({"params"}), 3, parts);
+  expect_failure(run({"--help"}), 3, parts);
+}
+
+TEST_F(ProgramTest, WritesNothingWhereNobodyReadsItsSummary) {
+  Program program({"cage", at("m.off"), "-o", at("cage.obj"), "--quiet"}, {{"CAGEWRIGHT_FAKE", "slow"}});
+  program.close_output();
+  expect_failure(program.finish(), 3, {"standard output cannot be written", "Broken pipe"});
 }
 
 TEST_F(ProgramTest, CageWithoutSlidesIsABoxAndSaysSo) {

@@ -86,6 +86,8 @@ Program::~Program() {
 
 void Program::send(int signal) const { ::kill(process_, signal); }
 
+void Program::close_output() { ::close(std::exchange(output_, -1)); }
+
 void Program::wait_for_error_text(const std::string& text) {
   while (run_.errors.find(text) == run_.errors.npos && read_some(errors_, run_.errors)) {
   }

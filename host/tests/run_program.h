@@ -26,6 +26,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void send(int signal) const;
+  // From here on nobody reads what it prints on stdout.
+  void close_output();
   // Reads stderr until `text` was in it or it ended.
   void wait_for_error_text(const std::string& text);
   ProgramRun finish();

@@ -26,6 +26,12 @@ TEST(SlidesFile, ReadsTheThreeKindsInTheirOrder) {
   EXPECT_EQ(std::get<Slide::Ellipse>(slides[2].shape).v, (Point3{0, 1, 0}));
 }
 
+TEST(SlidesFile, VersionIsTheNumber1HoweverItIsWritten) {
+  for (const std::string one : {"1", "1.0", "1e0", "10e-1"}) {
+    EXPECT_TRUE(parse("{\"version\": " + one + ", \"slides\": []}").empty()) << one;
+  }
+}
+
 TEST(SlidesFile, EveryNumberComesBackBitForBit) {
   std::mt19937 random(1);
   const auto number = [&] {
@@ -68,6 +74,8 @@ TEST(SlidesFile, NamesTheSlideAndTheKeyAtFault) {
   expect("[]", {"s.json", "should be an object"});
   expect("{\"slides\": []}", {"s.json", "no \"version\""});
   expect("{\"version\": 2, \"slides\": []}", {"s.json", "version \"2\"", "reads version 1"});
+  expect("{\"version\": 1.5, \"slides\": []}", {"s.json", "version \"1.5\"", "reads version 1"});
+  expect("{\"version\": true, \"slides\": []}", {"s.json", "version \"true\"", "reads version 1"});
   expect("{\"version\": \"1\", \"slides\": []}", {"s.json", "version", "reads version 1"});
   expect("{\"version\": 1}", {"s.json", "no \"slides\""});
   expect("{\"version\": 1, \"slides\": {}}", {"s.json", "\"slides\" should be an array"});

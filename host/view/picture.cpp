@@ -20,6 +20,7 @@
 #include <string>
 
 #include "host/file/atomic_file.h"
+#include "host/file/file_error.h"
 #include "host/view/display.h"
 #include "host/view/picture_actors.h"
 
@@ -28,8 +29,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSmallest = 16;
-constexpr int kLargest = 4096;
 constexpr int kSamples = 2;  // rendered that much larger either way, then averaged: smooth edges on any OpenGL
 constexpr double kMargin = 1.04;
 // Layers of translucent surface that are sorted. Beyond that light is nearly used up.
@@ -49,7 +48,7 @@ void check_mesh(const std::string& name, std::span<const double> points, std::sp
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (triangles[i] >= points.size() / 3) {
       bad_input("the picture's " + name + " names vertex " + std::to_string(triangles[i]) + " in triangle " +
-                std::to_string(i / 3) + ", but has " + std::to_string(points.size() / 3) + " vertices");
+                std::to_string(i / 3) + ", but has only " + counted(points.size() / 3, "vertex"));
     }
   }
 }
@@ -77,31 +76,33 @@ void check_input(const PictureInput& input) {
   }
 }
 
+Vector3d direction(const std::array<double, 3>& vector) { return Vector3d(vector.data()).stableNormalized(); }
+
+// To the viewer's right; too short to be one where the view is not sound.
+Vector3d right_of(const View& view) { return direction(view.up).cross(direction(view.toward_viewer)); }
+
 // The viewer's axes as columns: to the right, up, towards the viewer.
 Eigen::Matrix3d axes_of(const View& view, std::size_t index) {
-  const Vector3d toward = Vector3d(view.toward_viewer.data()).normalized();
-  const Vector3d right = Vector3d(view.up.data()).normalized().cross(toward);
-  constexpr double kNearlyParallel = 1e-6;
-  if (!(right.norm() > kNearlyParallel)) {
+  if (!is_sound(view)) {
     bad_input("view " + std::to_string(index) +
               " of the picture has no direction, no up, or both along one line; take another up");
   }
   Eigen::Matrix3d axes;
-  axes.col(0) = right.normalized();
-  axes.col(1) = toward.cross(axes.col(0));
-  axes.col(2) = toward;
+  axes.col(2) = direction(view.toward_viewer);
+  axes.col(0) = right_of(view).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
   return axes;
 }
 
 void check_options(const PictureOptions& options) {
-  const auto outside = [](int size) { return size < kSmallest || size > kLargest; };
+  const auto outside = [](int size) { return size < smallest_picture || size > largest_picture; };
   if (outside(options.width) || outside(options.height)) {
     bad_input("a picture of " + std::to_string(options.width) + " x " + std::to_string(options.height) +
-              " pixels cannot be made; take " + std::to_string(kSmallest) + " to " + std::to_string(kLargest) +
-              " either way");
+              " pixels cannot be made; take " + std::to_string(smallest_picture) + " to " +
+              std::to_string(largest_picture) + " either way");
   }
-  if (options.views.empty() || options.width / static_cast<int>(options.views.size()) < kSmallest) {
-    bad_input("a picture of " + std::to_string(options.views.size()) + " views does not fit into a width of " +
+  if (options.views.empty() || options.width / static_cast<int>(options.views.size()) < smallest_picture) {
+    bad_input("a picture of " + counted(options.views.size(), "view") + " does not fit into a width of " +
               std::to_string(options.width) + " pixels");
   }
 }
@@ -189,6 +190,7 @@ std::vector<std::uint8_t> encode(vtkRenderWindow& window) {
   const vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(average->GetOutputPort());
   writer->WriteToMemoryOn();
+  writer->SetCompressionLevel(9);
   const ErrorListener errors({image, average, writer});
   writer->Write();
   errors.check();
@@ -200,6 +202,19 @@ std::vector<std::uint8_t> encode(vtkRenderWindow& window) {
 }
 
 }  // namespace
+
+View default_view(const std::array<double, 3>& up) {
+  View view;
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(direction(view.up), direction(up));
+  Eigen::Map<Vector3d>(view.toward_viewer.data()) = turn * Vector3d(view.toward_viewer.data());
+  view.up = up;
+  return view;
+}
+
+bool is_sound(const View& view) {
+  constexpr double kNearlyParallel = 1e-6;
+  return all_finite(view.up) && all_finite(view.toward_viewer) && right_of(view).norm() > kNearlyParallel;
+}
 
 void require_display() { display_connection(); }
 

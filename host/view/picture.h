@@ -37,8 +37,18 @@ struct View {
   std::array<double, 3> up{0, 1, 0};                    // not parallel to toward_viewer
 };
 
+// The view of a default View for a model whose up is another: turned by the least turn that takes y there. So for z the
+// viewer stands before -y. Precondition: `up` is finite and not zero.
+View default_view(const std::array<double, 3>& up);
+
+// Whether both directions are finite, neither is zero, and they are not along one line.
+bool is_sound(const View& view);
+
+constexpr int smallest_picture = 16;
+constexpr int largest_picture = 4096;
+
 struct PictureOptions {
-  int width = 1280;  // pixels, of the whole picture, 16 to 8192
+  int width = 1280;  // pixels, of the whole picture, smallest_picture to largest_picture
   int height = 800;
   std::vector<View> views = {View{}};  // side by side, from the left, all with the same content
 };

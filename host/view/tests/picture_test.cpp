@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +15,7 @@
 #include <vector>
 
 #include "host/file/file_error.h"
+#include "host/view/tests/image.h"
 
 namespace cagewright::host {
 namespace {
@@ -36,44 +34,12 @@ struct Box {
                                        2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
 };
 
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::array<int, 3>> pixels;  // rows from the bottom
-
-  // Pixels in columns [left, right) of the width for which `is` holds.
-  long count(const std::function<bool(int, int, int)>& is, double left = 0, double right = 1) const {
-    long found = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const double x = (static_cast<double>(i % static_cast<std::size_t>(width)) + 0.5) / width;
-      found += x >= left && x < right && is(pixels[i][0], pixels[i][1], pixels[i][2]) ? 1 : 0;
-    }
-    return found;
-  }
-};
-
 bool red(int r, int g, int b) { return r > 150 && g < 90 && b < 90; }
 bool orange(int r, int g, int b) { return r > 170 && g > 90 && g < r - 40 && b < g - 60; }
 bool green(int r, int g, int b) { return g > 100 && r < g - 70 && b < g - 50; }
 bool blue(int r, int g, int b) { return b > 90 && r < b - 50 && g < b - 50; }
 bool grey(int r, int g, int b) { return r < 225 && std::abs(r - g) < 12 && std::abs(g - b) < 12; }
 bool white(int r, int g, int b) { return r == 255 && g == 255 && b == 255; }
-
-Image read_png(const fs::path& path) {
-  const vtkNew<vtkPNGReader> reader;
-  EXPECT_EQ(reader->CanReadFile(path.c_str()), 3) << path;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* data = reader->GetOutput();
-  Image image{data->GetDimensions()[0], data->GetDimensions()[1], {}};
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const auto* rgb = static_cast<const unsigned char*>(data->GetScalarPointer(x, y, 0));
-      image.pixels.push_back({rgb[0], rgb[1], rgb[2]});
-    }
-  }
-  return image;
-}
 
 class Picture : public testing::Test {
  protected:
@@ -208,6 +174,53 @@ TEST_F(Picture, PutsSeveralViewsSideBySide) {
   EXPECT_GT(from_above, 2 * edge_on);
 }
 
+TEST_F(Picture, ShowsUpAsUpAndTheSideThatTheViewerIsAt) {
+  // A mast, 8 high along z, on a board, 4 wide along x.
+  PictureInput input;
+  Box mast(1), board(1);
+  for (std::size_t i = 0; i < mast.points.size(); i += 3) {
+    mast.points[i] *= 0.1, mast.points[i + 1] *= 0.1, mast.points[i + 2] = 4 + 4 * mast.points[i + 2];
+    board.points[i] *= 2, board.points[i + 1] *= 0.1, board.points[i + 2] *= 0.1;
+  }
+  input.model_points = mast.points;
+  input.model_triangles = mast.triangles;
+  input.cage_points = board.points;
+  input.cage_triangles = board.triangles;
+  const auto drawn = [](int r, int g, int b) { return !white(r, g, b); };
+  const auto aspect = [&](const View& view) { return draw(input, {300, 300, {view}}).aspect(drawn); };
+  EXPECT_NEAR(aspect({{0, -1, 0}, {0, 0, 1}}), 4 / 8.2, 0.05);
+  EXPECT_NEAR(aspect({{0, -2e200, 0}, {0, 0, 3e-200}}), 4 / 8.2, 0.05) << "lengths are of no account";
+  EXPECT_NEAR(aspect({{0, -1, 0}, {1, 0, 0}}), 8.2 / 4, 0.1);
+  EXPECT_LT(aspect({{1, 0, 0}, {0, 0, 1}}), 0.1) << "the board is seen from its end";
+  // Which end is up: the board is below the mast, and above it where -z is up.
+  const auto board_height = [&](const View& view) { return draw(input, {300, 300, {view}}).mean_height(blue); };
+  EXPECT_LT(board_height({{0, -1, 0}, {0, 0, 1}}), 0.2);
+  EXPECT_GT(board_height({{0, -1, 0}, {0, 0, -1}}), 0.8);
+}
+
+TEST_F(Picture, DefaultViewTurnsWithUp) {
+  const auto near = [](const View& view, const std::array<double, 3>& toward) {
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(view.toward_viewer[i], toward[i], 1e-12);
+  };
+  near(default_view({0, 1, 0}), View{}.toward_viewer);
+  near(default_view({0, 0, 2}), {0.6, -1.0, 0.35});
+  for (const std::array<double, 3> up : {std::array{0., -1., 0.}, {1., 0., 0.}, {-1., 2., 3.}, {0., 0., -1e-300}}) {
+    EXPECT_TRUE(is_sound(default_view(up)));
+    EXPECT_EQ(default_view(up).up, up);
+  }
+}
+
+TEST_F(Picture, ViewIsSoundWhereBothDirectionsAreSomeAndNotAlongOneLine) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_sound({}));
+  EXPECT_TRUE(is_sound({{1e300, 0, 0}, {0, 1e-300, 0}}));
+  EXPECT_FALSE(is_sound({{0, 0, 0}, {0, 1, 0}}));
+  EXPECT_FALSE(is_sound({{0, 0, 1}, {0, 0, 0}}));
+  EXPECT_FALSE(is_sound({{0, 3, 0}, {0, -1, 0}}));
+  EXPECT_FALSE(is_sound({{nan, 0, 1}, {0, 1, 0}}));
+  EXPECT_FALSE(is_sound({{0, 0, 1}, {0, inf, 0}}));
+}
+
 TEST_F(Picture, IsTheSameBytesEveryTime) {
   const PictureOptions options{160, 120, {View{}}};
   EXPECT_EQ(render_picture(everything(), options), render_picture(everything(), options));
@@ -286,6 +299,7 @@ TEST_F(Picture, NamesWhatIsWrongWithItsOptions) {
   expect_mentions(sentence({0, 600, {View{}}}), {"0 x 600"});
   expect_mentions(sentence({600, 100000, {View{}}}), {"600 x 100000"});
   expect_mentions(sentence({600, 400, {}}), {"0 views"});
+  expect_mentions(sentence({600, 400, {View{{0, 0, 0}, {0, 1, 0}}}}), {"view 0", "no direction"});
   expect_mentions(sentence({600, 400, {View{}, View{{0, 2, 0}, {0, 1, 0}}}}), {"view 1", "up"});
 }
 

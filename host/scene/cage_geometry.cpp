@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/scene/cage_geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "host/file/byte_order.h"
+#include "host/file/file_error.h"
+#include "host/scene/base64.h"
+
+namespace cagewright::host {
+namespace {
+
+constexpr int unsigned_short = 5123, unsigned_int = 5125, float_type = 5126;  // glTF's component types
+constexpr int array_buffer = 34962, element_array_buffer = 34963, triangles_mode = 4;
+constexpr char data_uri[] = "data:application/octet-stream;base64,";
+
+// The arrays of a file that hold a cage's geometry, and which of their items a block has.
+constexpr std::array<const char*, 4> arrays = {"meshes", "accessors", "bufferViews", "buffers"};
+std::vector<int> items_of(const CageBlock& block, std::size_t array) {
+  switch (array) {
+    case 0:
+      return {block.mesh};
+    case 1:
+      return {block.positions, block.indices};
+    case 2:
+      return {block.position_view, block.index_view};
+    default:
+      return {block.buffer};
+  }
+}
+
+std::string pointer_to(const char* array) { return std::string("/").append(array); }
+
+std::optional<int> index_in(const SceneJson& object, const char* key) {
+  const SceneJson* found = find_key(object, key);
+  if (found == nullptr || !found->is_number_integer()) return {};
+  return found->get<int>();
+}
+
+const SceneJson* item(const SceneJson& json, const char* array, std::optional<int> index) {
+  const SceneJson* items = find_key(json, array);
+  if (!index || *index < 0 || items == nullptr || !items->is_array()) return nullptr;
+  return static_cast<std::size_t>(*index) < items->size() ? &(*items)[static_cast<std::size_t>(*index)] : nullptr;
+}
+
+// How often each item is named under one of `keys`, anywhere but in extras.
+void count_uses(const SceneJson& json, const std::vector<std::string>& keys, std::map<int, int>& uses) {
+  if (json.is_array()) {
+    for (const SceneJson& element : json) count_uses(element, keys, uses);
+  }
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "extras") continue;
+    if (value.is_number_integer() && std::find(keys.begin(), keys.end(), key) != keys.end()) ++uses[value.get<int>()];
+    count_uses(value, keys, uses);
+  }
+}
+
+void count_items(const SceneJson* object, std::map<int, int>& uses) {
+  if (object == nullptr || !object->is_object()) return;
+  for (const auto& [key, value] : object->items()) {
+    if (value.is_number_integer()) ++uses[value.get<int>()];
+  }
+}
+
+// Attributes and morph targets name accessors by keys of any name.
+void count_attributes(const SceneJson& mesh, std::map<int, int>& uses) {
+  const SceneJson* primitives = find_key(mesh, "primitives");
+  if (primitives == nullptr || !primitives->is_array()) return;
+  for (const SceneJson& primitive : *primitives) {
+    count_items(find_key(primitive, "attributes"), uses);
+    if (const SceneJson* targets = find_key(primitive, "targets"); targets && targets->is_array()) {
+      for (const SceneJson& target : *targets) count_items(&target, uses);
+    }
+  }
+}
+
+class Uses {
+ public:
+  explicit Uses(const SceneJson& json) {
+    const SceneJson empty = SceneJson::array();
+    const auto part = [&](const char* key) -> const SceneJson& {
+      const SceneJson* found = find_key(json, key);
+      return found ? *found : empty;
+    };
+    count_uses(part("nodes"), {"mesh"}, meshes_);
+    for (const SceneJson& mesh : part("meshes")) count_attributes(mesh, accessors_);
+    count_uses(part("meshes"), {"indices"}, accessors_);
+    count_uses(part("skins"), {"inverseBindMatrices"}, accessors_);
+    count_uses(part("animations"), {"input", "output"}, accessors_);
+    for (const char* where : {"accessors", "images", "meshes", "extensions", "bufferViews"}) {
+      count_uses(part(where), {"bufferView"}, views_);
+    }
+    count_uses(part("bufferViews"), {"buffer"}, buffers_);
+  }
+
+  // Whether nothing but the block itself uses its items; the cage's node is no longer there.
+  bool only_own(const CageBlock& block) const {
+    return of(meshes_, block.mesh) == 0 && of(accessors_, block.positions) == 1 && of(accessors_, block.indices) == 1 &&
+           of(views_, block.position_view) == 1 && of(views_, block.index_view) == 1 && of(buffers_, block.buffer) == 2;
+  }
+
+ private:
+  static int of(const std::map<int, int>& uses, int index) {
+    const auto found = uses.find(index);
+    return found == uses.end() ? 0 : found->second;
+  }
+  std::map<int, int> meshes_, accessors_, views_, buffers_;
+};
+
+// The block of a mesh that has the layout that we write; empty for any other.
+std::optional<CageBlock> block_of(const SceneJson& json, int mesh) {
+  const SceneJson* mesh_json = item(json, "meshes", mesh);
+  const SceneJson* primitives = mesh_json ? find_key(*mesh_json, "primitives") : nullptr;
+  if (!primitives || !primitives->is_array() || primitives->size() != 1) return {};
+  const SceneJson* attributes = find_key((*primitives)[0], "attributes");
+  if (!attributes || attributes->size() != 1 || find_key((*primitives)[0], "targets")) return {};
+  const auto positions = index_in(*attributes, "POSITION"), indices = index_in((*primitives)[0], "indices");
+  const SceneJson *position_json = item(json, "accessors", positions), *index_json = item(json, "accessors", indices);
+  if (!position_json || !index_json || positions == indices) return {};
+  const auto position_view = index_in(*position_json, "bufferView"), index_view = index_in(*index_json, "bufferView");
+  const SceneJson *first = item(json, "bufferViews", position_view), *second = item(json, "bufferViews", index_view);
+  if (!first || !second || position_view == index_view) return {};
+  const auto buffer = index_in(*first, "buffer");
+  const SceneJson* buffer_json = item(json, "buffers", buffer);
+  if (!buffer_json || index_in(*second, "buffer") != buffer) return {};
+  const SceneJson* uri = find_key(*buffer_json, "uri");
+  if (!uri || !uri->is_string() || uri->get_ref<const std::string&>().rfind("data:", 0) != 0) return {};
+  return CageBlock{mesh, *positions, *indices, *position_view, *index_view, *buffer};
+}
+
+// Whether what the blocks have are the last items of each array.
+bool are_last(const SceneJson& json, const std::vector<CageBlock>& blocks) {
+  for (std::size_t a = 0; a < arrays.size(); ++a) {
+    std::set<int> items;
+    for (const CageBlock& block : blocks) {
+      for (const int index : items_of(block, a)) items.insert(index);
+    }
+    const SceneJson* array = find_key(json, arrays[a]);
+    if (!items.empty() && static_cast<std::size_t>(*items.begin()) + items.size() != array->size()) return false;
+  }
+  return true;
+}
+
+std::vector<SceneJson> geometry_of(const SceneJson& json, const CageBlock& block) {
+  std::vector<SceneJson> geometry;
+  for (std::size_t a = 0; a < arrays.size(); ++a) {
+    for (const int index : items_of(block, a)) geometry.push_back(*item(json, arrays[a], index));
+  }
+  return geometry;
+}
+
+// Mesh, positions, indices, their two views and the buffer.
+std::vector<SceneJson> make_geometry(const std::filesystem::path& path, const SceneCage& cage) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const TriangleMesh& mesh = cage.mesh;
+  std::string bytes;
+  std::array<double, 3> least{infinity, infinity, infinity}, most{-infinity, -infinity, -infinity};
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (!(std::abs(mesh.points[i]) <= double{std::numeric_limits<float>::max()})) {
+      throw FileError(
+          path, {},
+          "cannot be written: vertex " + std::to_string(i / 3) + " of the cage is too far out for glTF's floats");
+    }
+    const auto x = static_cast<float>(mesh.points[i]);
+    append_little_endian(bytes, x);
+    least[i % 3] = std::min(least[i % 3], double{x});
+    most[i % 3] = std::max(most[i % 3], double{x});
+  }
+  const std::size_t position_bytes = bytes.size();
+  const bool is_short = mesh.vertex_count() <= 65535;  // 65535 is the restart value of 16-bit indices and not allowed
+  for (const std::uint32_t index : mesh.triangles) {
+    if (is_short) {
+      append_little_endian(bytes, static_cast<std::uint16_t>(index));
+    } else {
+      append_little_endian(bytes, index);
+    }
+  }
+  const std::size_t index_bytes = bytes.size() - position_bytes;
+  bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+  const SceneJson primitive = {{"attributes", {{"POSITION", 0}}}, {"indices", 0}, {"mode", triangles_mode}};
+  return {
+      {{"name", cage.name}, {"primitives", SceneJson::array({primitive})}},
+      {{"bufferView", 0},
+       {"componentType", float_type},
+       {"count", mesh.vertex_count()},
+       {"type", "VEC3"},
+       {"min", least},
+       {"max", most}},
+      {{"bufferView", 0},
+       {"componentType", is_short ? unsigned_short : unsigned_int},
+       {"count", mesh.triangles.size()},
+       {"type", "SCALAR"}},
+      {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", position_bytes}, {"target", array_buffer}},
+      {{"buffer", 0}, {"byteOffset", position_bytes}, {"byteLength", index_bytes}, {"target", element_array_buffer}},
+      {{"byteLength", bytes.size()}, {"uri", data_uri + base64(bytes)}}};
+}
+
+// The number that the array's next item gets.
+int next_item(SceneJson& json, const char* array, std::set<std::string>& filled) {
+  SceneJson* items = find_key(json, array);
+  if (items == nullptr) {
+    json[array] = SceneJson::array();
+    items = find_key(json, array);
+  } else if (items->empty()) {
+    filled.insert(pointer_to(array));
+  }
+  items->push_back(nullptr);
+  return static_cast<int>(items->size()) - 1;
+}
+
+void place_geometry(std::vector<SceneJson> geometry, const CageBlock& block, SceneJson& json) {
+  geometry[0]["primitives"][0]["attributes"]["POSITION"] = block.positions;
+  geometry[0]["primitives"][0]["indices"] = block.indices;
+  geometry[1]["bufferView"] = block.position_view;
+  geometry[2]["bufferView"] = block.index_view;
+  geometry[3]["buffer"] = geometry[4]["buffer"] = block.buffer;
+  std::size_t k = 0;
+  for (std::size_t a = 0; a < arrays.size(); ++a) {
+    for (const int index : items_of(block, a)) json[arrays[a]][static_cast<std::size_t>(index)] = geometry[k++];
+  }
+}
+
+}  // namespace
+
+void detach_cage_geometry(SceneBase& base, SceneContent& content) {
+  if (content.cages.empty()) return;
+  const Uses uses(base.json);
+  std::vector<CageBlock> blocks;
+  std::vector<std::pair<SceneCage*, CageBlock>> own;
+  for (SceneCage& cage : content.cages) {
+    const auto block = block_of(base.json, cage.as_read->mesh);
+    if (!block || !uses.only_own(*block)) continue;
+    own.emplace_back(&cage, *block);
+    blocks.push_back(*block);
+  }
+  const bool at_the_end = are_last(base.json, blocks);
+  for (const auto& [cage, block] : own) {
+    CageAsRead as_read = *cage->as_read;
+    as_read.mesh = -1;
+    as_read.geometry = geometry_of(base.json, block);
+    if (!at_the_end) {
+      as_read.block = static_cast<int>(base.blocks.size());
+      base.blocks.push_back(block);
+    }
+    cage->as_read = std::make_shared<CageAsRead>(std::move(as_read));
+  }
+  if (!at_the_end || own.empty()) return;
+  for (std::size_t a = 0; a < arrays.size(); ++a) {
+    SceneJson& array = *find_key(base.json, arrays[a]);
+    for (const CageBlock& block : blocks)
+      array.erase(array.end() - static_cast<std::ptrdiff_t>(items_of(block, a).size()), array.end());
+    if (array.empty() && base.keeps.count(pointer_to(arrays[a])) == 0) base.json.erase(arrays[a]);
+  }
+}
+
+std::vector<int> attach_cage_geometry(const std::filesystem::path& path, const SceneBase& base,
+                                      const SceneContent& content, SceneJson& json, std::set<std::string>& filled) {
+  std::set<int> taken;
+  for (const SceneCage& cage : content.cages) {
+    if (cage.as_read && cage.as_read->block >= 0) taken.insert(cage.as_read->block);
+  }
+  const auto block_for = [&](const SceneCage& cage) {
+    if (cage.as_read && cage.as_read->block >= 0) return base.blocks[static_cast<std::size_t>(cage.as_read->block)];
+    for (int free = 0; free < static_cast<int>(base.blocks.size()); ++free) {
+      if (taken.insert(free).second) return base.blocks[static_cast<std::size_t>(free)];
+    }
+    CageBlock block;
+    block.mesh = next_item(json, "meshes", filled);
+    block.positions = next_item(json, "accessors", filled);
+    block.indices = next_item(json, "accessors", filled);
+    block.position_view = next_item(json, "bufferViews", filled);
+    block.index_view = next_item(json, "bufferViews", filled);
+    block.buffer = next_item(json, "buffers", filled);
+    return block;
+  };
+  std::vector<int> meshes;
+  for (const SceneCage& cage : content.cages) {
+    if (cage.as_read && cage.as_read->mesh >= 0) {
+      meshes.push_back(cage.as_read->mesh);
+      continue;
+    }
+    const CageBlock block = block_for(cage);
+    place_geometry(cage.as_read ? cage.as_read->geometry : make_geometry(path, cage), block, json);
+    meshes.push_back(block.mesh);
+  }
+  return meshes;
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_SCENE_OWN_EXTENSION_H
+#define CAGEWRIGHT_HOST_SCENE_OWN_EXTENSION_H
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/scene/scene_content.h"
+#include "host/scene/scene_json.h"
+#include "host/scene/slide_transform.h"
+
+// The JSON of the extensions CAGEWRIGHT_cut_slide and CAGEWRIGHT_cage and of the same keys in `extras`, as
+// docs/scene-format.md defines them.
+namespace cagewright::host {
+
+struct OwnSlideExtension {
+  std::int64_t id = 0;  // 0: none is given
+  std::vector<Point3> stroke;
+  std::optional<TranslationRotationScale> fitted;
+  std::vector<std::string> keeps;
+};
+
+// Of a whole node. Throws FileError, with `place` before the reason, where a value is of the wrong type.
+OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
+                                       const SceneJson& node);
+// Parameters, slides, sections and certificate; adds to `keeps`. Throws as above.
+SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const SceneJson& node,
+                              std::set<std::string>& keeps);
+
+// Put the extension and its shadow in `extras` into a node; what others have there stays.
+void write_slide_extension(const SceneSlide& slide, const std::optional<TranslationRotationScale>& fitted,
+                           SceneJson& node);
+void write_cage_extension(const SceneCage& cage, int source, SceneJson& node);
+// On any node that has one of ours.
+void write_keeps(const std::set<std::string>& keeps, SceneJson& node);
+
+// Takes both out of a node, and `extensions` or `extras` where nothing else is in them.
+void remove_own_extensions(SceneJson& node);
+
+}  // namespace cagewright::host
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/scene/scene_document.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "host/file/file_bytes.h"
+#include "host/file/file_error.h"
+#include "host/file/gltf_geometry.h"
+#include "host/file/gltf_loader.h"
+#include "host/file/gltf_own_nodes.h"
+#include "host/file/mesh_writer.h"
+#include "host/scene/base64.h"
+#include "host/scene/gltf_container.h"
+#include "host/scene/scene_parts.h"
+
+namespace cagewright::host {
+
+struct SceneDocument::State {
+  std::filesystem::path path;
+  std::string file;         // as it was read
+  GltfContainer container;  // views of `file`
+  tinygltf::Model model;    // the typed view of `file`
+  SceneBase base;
+  SceneContent content;
+  std::string text_as_read;  // what put_together makes of what was read
+  std::vector<std::string> notes;
+  std::vector<SceneMeshNode> mesh_nodes;
+  std::vector<std::weak_ptr<Listener>> listeners;
+  std::int64_t next_id = 1;
+
+  int indent() const { return !container.is_binary && container.json.find('\n') != std::string_view::npos ? 2 : -1; }
+  std::string text() const { return scene_json_text(put_together(path, base, content), indent()); }
+  auto slide(std::int64_t id) {
+    return std::find_if(content.slides.begin(), content.slides.end(), [&](const SceneSlide& s) { return s.id == id; });
+  }
+  auto cage(int mesh_node) {
+    return std::find_if(content.cages.begin(), content.cages.end(),
+                        [&](const SceneCage& c) { return c.mesh_node == mesh_node; });
+  }
+};
+
+namespace {
+
+std::vector<SceneMeshNode> mesh_nodes_of(const tinygltf::Model& model) {
+  std::vector<SceneMeshNode> nodes;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    const tinygltf::Node& node = model.nodes[i];
+    if (node.mesh < 0 || is_cage_node(node)) continue;
+    std::string name = node.name;
+    if (name.empty() && static_cast<std::size_t>(node.mesh) < model.meshes.size()) {
+      name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
+    }
+    nodes.push_back({static_cast<int>(i), std::move(name)});
+  }
+  return nodes;
+}
+
+}  // namespace
+
+SceneDocument::SceneDocument(const std::filesystem::path& path) : SceneDocument(path, read_bytes(path)) {}
+
+SceneDocument::SceneDocument(const std::filesystem::path& path, std::string bytes) : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.path = path;
+  s.file = std::move(bytes);
+  s.container = split_gltf(path, s.file);
+  SceneJson json = parse_scene_json(path, s.container.json);
+  if (!json.is_object()) throw FileError(path, {}, "is not glTF: its JSON is no object");
+  load_gltf(path, s.file, s.model);
+  TakenApart parts = take_apart(path, std::move(json), s.model);
+  s.base = std::move(parts.base);
+  s.content = std::move(parts.content);
+  s.notes = std::move(parts.notes);
+  s.mesh_nodes = mesh_nodes_of(s.model);
+  for (const SceneSlide& slide : s.content.slides) s.next_id = std::max(s.next_id, slide.id + 1);
+  for (const SceneCage& cage : s.content.cages) {
+    for (const std::int64_t id : cage.slides) s.next_id = std::max(s.next_id, id + 1);
+  }
+  s.text_as_read = s.text();
+}
+
+// A .gltf is the .glb with its binary chunk in the text.
+SceneDocument SceneDocument::of_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                                     const std::string& name) {
+  std::string glb = glb_bytes(mesh, name, path);
+  if (lower_ending(path) != ".gltf") return SceneDocument(path, std::move(glb));
+  const GltfContainer container = split_gltf(path, glb);
+  constexpr std::size_t chunk_header_size = 8;
+  SceneJson json = parse_scene_json(path, container.json);
+  json["buffers"][0]["uri"] =
+      "data:application/octet-stream;base64," + base64(container.chunks.substr(chunk_header_size));
+  json["buffers"][0]["byteLength"] = container.chunks.size() - chunk_header_size;
+  return SceneDocument(path, scene_json_text(json, 2));
+}
+
+SceneDocument::~SceneDocument() = default;
+SceneDocument::SceneDocument(SceneDocument&&) noexcept = default;
+SceneDocument& SceneDocument::operator=(SceneDocument&&) noexcept = default;
+
+const std::filesystem::path& SceneDocument::path() const { return state_->path; }
+const std::vector<std::string>& SceneDocument::notes() const { return state_->notes; }
+const std::vector<SceneMeshNode>& SceneDocument::mesh_nodes() const { return state_->mesh_nodes; }
+const std::vector<SceneSlide>& SceneDocument::slides() const { return state_->content.slides; }
+const std::vector<SceneCage>& SceneDocument::cages() const { return state_->content.cages; }
+
+MeshFile SceneDocument::mesh(int node) const {
+  const tinygltf::Model& model = state_->model;
+  const int mesh = model.nodes.at(static_cast<std::size_t>(node)).mesh;
+  if (mesh < 0 || static_cast<std::size_t>(mesh) >= model.meshes.size()) {
+    throw FileError(path(), {},
+                    "node " + std::to_string(node) + " shows mesh " + std::to_string(mesh) + ", which is not there");
+  }
+  MeshFile file = read_gltf_mesh(path(), model, mesh);
+  if (file.mesh.triangles.empty()) {
+    throw FileError(path(), {}, "node " + std::to_string(node) + " has no triangles; a closed surface is needed");
+  }
+  return file;
+}
+
+const SceneSlide* SceneDocument::find_slide(std::int64_t id) const {
+  const auto found = state_->slide(id);
+  return found == state_->content.slides.end() ? nullptr : &*found;
+}
+
+const SceneCage* SceneDocument::find_cage(int mesh_node) const {
+  const auto found = state_->cage(mesh_node);
+  return found == state_->content.cages.end() ? nullptr : &*found;
+}
+
+std::int64_t SceneDocument::new_slide_id() { return state_->next_id++; }
+
+void SceneDocument::insert_slide(std::size_t row, SceneSlide slide) {
+  auto& slides = state_->content.slides;
+  const SceneEvent event{SceneEvent::Kind::slide_added, slide.id, slide.mesh_node};
+  slides.insert(slides.begin() + static_cast<std::ptrdiff_t>(row), std::move(slide));
+  tell(event);
+}
+
+void SceneDocument::replace_slide(SceneSlide slide) {
+  const SceneEvent event{SceneEvent::Kind::slide_changed, slide.id, slide.mesh_node};
+  *state_->slide(slide.id) = std::move(slide);
+  tell(event);
+}
+
+void SceneDocument::remove_slide(std::int64_t id) {
+  const auto found = state_->slide(id);
+  const SceneEvent event{SceneEvent::Kind::slide_removed, id, found->mesh_node};
+  state_->content.slides.erase(found);
+  tell(event);
+}
+
+void SceneDocument::set_cage(int mesh_node, const SceneCage* cage) {
+  auto& cages = state_->content.cages;
+  const auto found = state_->cage(mesh_node);
+  if (cage == nullptr) {
+    if (found != cages.end()) cages.erase(found);
+  } else if (found != cages.end()) {
+    *found = *cage;
+  } else {
+    // By node, so that the order of commands does not matter to the file.
+    const auto after =
+        std::find_if(cages.begin(), cages.end(), [&](const SceneCage& other) { return other.mesh_node > mesh_node; });
+    cages.insert(after, *cage);
+  }
+  tell({cage ? SceneEvent::Kind::cage_set : SceneEvent::Kind::cage_removed, 0, mesh_node});
+}
+
+std::unique_ptr<SceneDocument::Subscription> SceneDocument::listen(Listener listener) {
+  auto shared = std::make_shared<Listener>(std::move(listener));
+  state_->listeners.push_back(shared);
+  return std::make_unique<Subscription>(std::move(shared));
+}
+
+void SceneDocument::tell(const SceneEvent& event) const {
+  auto& listeners = state_->listeners;
+  listeners.erase(std::remove_if(listeners.begin(), listeners.end(), [](const auto& l) { return l.expired(); }),
+                  listeners.end());
+  for (const auto& listener : listeners) {
+    if (const auto alive = listener.lock()) (*alive)(event);
+  }
+}
+
+std::string SceneDocument::bytes() const {
+  std::string text = state_->text();
+  if (text == state_->text_as_read) return state_->file;
+  return join_gltf(path(), state_->container, std::move(text));
+}
+
+bool SceneDocument::is_changed() const { return state_->text() != state_->text_as_read; }
+
+std::vector<std::string> SceneDocument::external_files() const {
+  std::vector<std::string> names;
+  const auto add = [&](const char* array) {
+    const SceneJson* items = find_key(state_->base.json, array);
+    if (items == nullptr || !items->is_array()) return;
+    for (const SceneJson& item : *items) {
+      const SceneJson* uri = find_key(item, "uri");
+      if (uri && uri->is_string() && uri->get_ref<const std::string&>().rfind("data:", 0) != 0) {
+        names.push_back(uri->get<std::string>());
+      }
+    }
+  };
+  add("buffers");
+  add("images");
+  return names;
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_SCENE_SCENE_DOCUMENT_H
+#define CAGEWRIGHT_HOST_SCENE_SCENE_DOCUMENT_H
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/scene/scene_content.h"
+
+namespace cagewright::host {
+
+// What has changed in a document, told after it has.
+struct SceneEvent {
+  enum class Kind { slide_added, slide_changed, slide_removed, cage_set, cage_removed };
+  Kind kind;
+  std::int64_t slide = 0;  // id, where it is about a slide
+  int mesh_node = -1;      // of the slide or the cage
+};
+
+// A node that shows a mesh which is no cage of ours.
+struct SceneMeshNode {
+  int node = -1;
+  std::string name;  // the node's, else the mesh's; may be empty
+};
+
+// A glTF scene with its slides and cages. The file's JSON and binary chunk are the truth: only what is ours is changed,
+// and a document that holds what its file held is saved as the same bytes. Changes are made by commands (host/command).
+// One thread at a time.
+class SceneDocument {
+ public:
+  // Throws FileError.
+  explicit SceneDocument(const std::filesystem::path& path);
+  // From bytes that are already there; `path` is for sentences and for the files that a .gltf names.
+  SceneDocument(const std::filesystem::path& path, std::string bytes);
+  // A new scene with one mesh node, as a .glb or .gltf. Positions become floats. Throws FileError.
+  static SceneDocument of_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& name);
+  ~SceneDocument();
+  SceneDocument(SceneDocument&&) noexcept;
+  SceneDocument& operator=(SceneDocument&&) noexcept;
+
+  const std::filesystem::path& path() const;
+  // What had to be mended, and what the user should know: a sentence each.
+  const std::vector<std::string>& notes() const;
+  // In the file's order, in all scenes.
+  const std::vector<SceneMeshNode>& mesh_nodes() const;
+  // The mesh of a node, in its local space. Throws FileError. O(size of the mesh).
+  MeshFile mesh(int node) const;
+
+  const std::vector<SceneSlide>& slides() const;
+  const std::vector<SceneCage>& cages() const;
+  const SceneSlide* find_slide(std::int64_t id) const;
+  const SceneCage* find_cage(int mesh_node) const;
+  // An id that no slide of this document has had.
+  std::int64_t new_slide_id();
+
+  // For commands. `row` is the place among slides(), at most their count. Preconditions: ids and names are as
+  // SceneContent says; replace_slide and remove_slide: the id is there.
+  void insert_slide(std::size_t row, SceneSlide slide);
+  void replace_slide(SceneSlide slide);
+  void remove_slide(std::int64_t id);
+  // Null: no cage any more.
+  void set_cage(int mesh_node, const SceneCage* cage);
+
+  // Calls `listener` after every change until the subscription is destroyed. Listeners may not change the document.
+  using Listener = std::function<void(const SceneEvent&)>;
+  class Subscription;
+  [[nodiscard]] std::unique_ptr<Subscription> listen(Listener listener);
+
+  // The file's bytes as they would be saved: text on one line for .glb; a .gltf keeps lines where it had some. Throws
+  // FileError.
+  std::string bytes() const;
+  // Whether bytes() differ from the file that was read or last saved.
+  bool is_changed() const;
+  // Names of files, relative to its folder, that a .gltf or .glb needs: buffers and images.
+  std::vector<std::string> external_files() const;
+
+ private:
+  struct State;
+  explicit SceneDocument(std::unique_ptr<State> state);
+  void tell(const SceneEvent& event) const;
+  std::unique_ptr<State> state_;
+};
+
+class SceneDocument::Subscription {
+ public:
+  explicit Subscription(std::shared_ptr<Listener> listener) : listener_(std::move(listener)) {}
+
+ private:
+  std::shared_ptr<Listener> listener_;  // the document holds it weakly
+};
+
+}  // namespace cagewright::host
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_SCENE_SCENE_PARTS_H
+#define CAGEWRIGHT_HOST_SCENE_SCENE_PARTS_H
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/scene/scene_content.h"
+#include "host/scene/scene_json.h"
+
+namespace tinygltf {
+class Model;
+}
+
+// A scene's JSON taken apart into what is others' and what is ours, and put together again.
+namespace cagewright::host {
+
+struct SlideAsRead {
+  SceneJson node;          // whole, ours included
+  Slide::Ellipse ellipse;  // that its transform is
+  int parent = -1;
+  Eigen::Affine3d parent_to_mesh = Eigen::Affine3d::Identity();
+  int home = -1;           // its place among the nodes where it has to keep it, or -1
+  bool is_pinned = false;  // the node stays, as an ordinary one, where the slide goes
+};
+
+struct CageAsRead {
+  SceneJson node;
+  int parent = -1;
+  int home = -1;
+  int block = -1;                   // which of SceneBase::blocks holds its geometry, or -1
+  int mesh = -1;                    // where others use the geometry too: the mesh in the base, else -1
+  std::vector<SceneJson> geometry;  // mesh, 2 accessors, 2 buffer views, buffer: where it has neither block nor mesh
+};
+
+// The places of a cage's geometry in the arrays of the file: another tool has put something after them.
+struct CageBlock {
+  int mesh = -1, positions = -1, indices = -1, position_view = -1, index_view = -1, buffer = -1;
+};
+
+// What is others'. Nodes of ours that have something after them have left an empty node in their place.
+struct SceneBase {
+  SceneJson json;
+  std::set<int> holes;            // places of nodes that are ours to use
+  std::vector<CageBlock> blocks;  // places of geometry that are ours to use
+  std::set<std::string> keeps;    // JSON pointers of arrays that are there though empty
+};
+
+struct TakenApart {
+  SceneBase base;
+  SceneContent content;
+  std::vector<std::string> notes;  // what had to be mended, a sentence each
+};
+
+// `model` is the typed view of the same file. Throws FileError: nodes that form no tree, ours of wrong types, a slide
+// that is under no mesh node. O(size of the JSON).
+TakenApart take_apart(const std::filesystem::path& path, SceneJson json, const tinygltf::Model& model);
+
+// The whole again: the same for the same base and content, whatever was done before. Throws FileError where a cage
+// cannot be written as floats. O(size of the JSON).
+SceneJson put_together(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content);
+
+}  // namespace cagewright::host
+
+#endif
