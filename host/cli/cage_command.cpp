@@ -2,50 +2,47 @@
 #include "host/cli/cage_command.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host/cli/cage_input.h"
+#include "host/cli/cage_solve.h"
 #include "host/cli/exit_code.h"
 #include "host/cli/input_error.h"
 #include "host/cli/interrupt.h"
 #include "host/cli/output_files.h"
 #include "host/cli/progress.h"
 #include "host/cli/run_report.h"
+#include "host/cli/scene_output.h"
+#include "host/cli/stopwatch.h"
 #include "host/cli/text.h"
 #include "host/file/atomic_file.h"
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
-#include "host/file/mesh_reader.h"
 #include "host/file/mesh_writer.h"
 #include "host/plugin_client/find_plugin.h"
-#include "host/plugin_client/plugin_error.h"
 #include "host/view/picture.h"
 
 namespace cagewright::host {
 namespace {
 
-class Stopwatch {
- public:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
+bool is_output_name(const std::filesystem::path& path) { return is_scene_name(path) || is_writable_mesh_name(path); }
 
 // All that can be known to fail before the work begins.
 void check_outputs(const CageCommand& command) {
-  if (command.out && !is_writable_mesh_name(*command.out)) {
-    throw UsageError("-o " + command.out->string() + ": a cage is written as .obj, .off, .ply, .stl or .glb");
+  if (command.out && !is_output_name(*command.out)) {
+    throw UsageError("-o " + command.out->string() +
+                     ": a scene is written as .glb or .gltf, a cage alone as .obj, .off, .ply or .stl");
   }
   if (command.picture && lower_ending(*command.picture) != ".png") {
     throw UsageError("--picture " + command.picture->string() + ": a picture is written as .png");
   }
-  std::vector<std::filesystem::path> inputs = {command.model}, outputs;
+  std::vector<std::filesystem::path> inputs, outputs;
+  // A scene may take the place of the one that was read: nothing of it is lost.
+  const bool is_scene_to_scene = command.out && is_scene_name(command.model) && is_scene_name(*command.out);
+  if (!is_scene_to_scene || !same_file(command.model, *command.out)) inputs.push_back(command.model);
   if (command.slides) inputs.push_back(*command.slides);
   for (const OptionalPath* output : {&command.out, &command.report, &command.picture}) {
     if (*output) outputs.push_back(**output);
@@ -62,15 +59,16 @@ class CageRun {
   int run() {
     check_outputs(command_);
     plugin_ = Plugin::load(find_plugin(command_.plugin));
-    read_inputs();
-    Session session(plugin_, listener());
-    fill(session);
-    solve(session);
-    const TriangleMesh cage = session.cage();
-    const cgw_mesh_report cage_report = plugin_->inspect(cage);
-    Report report = describe_run(command_, *plugin_, session, cage, cage_report);
-    write(session, cage, report);
-    return is_closed_manifold(cage_report) ? exit_done : exit_not_certified;
+    progress_.show(0, "read");
+    input_ = read_cage_input(command_);
+    for (const std::string& note : input_.notes) progress_.note(note);
+    require_one_target();
+    const double read_ms = total_.milliseconds();
+    for (const CageTarget& target : input_.targets)
+      solved_.push_back(solve_cage(command_, plugin_, target, listener()));
+    write(read_ms);
+    const auto is_closed = [](const SolvedCage& solved) { return solved.is_closed; };
+    return std::all_of(solved_.begin(), solved_.end(), is_closed) ? exit_done : exit_not_certified;
   }
 
  private:
@@ -86,75 +84,22 @@ class CageRun {
     return listener;
   }
 
-  void read_inputs() {
-    progress_.show(0, "read");
-    MeshFile file = read_mesh(command_.model);
-    for (const std::string& note : file.notes) progress_.note(note);
-    model_ = std::move(file.mesh);
-    if (command_.slides) {
-      slides_ = read_slides(*command_.slides);
-    } else {
-      progress_.note("no slides are given, so the cage is a box; see --slides");
-    }
-    read_ms_ = total_.milliseconds();
+  // A cage alone, and a picture, show one model.
+  void require_one_target() const {
+    if (input_.targets.size() == 1) return;
+    const std::string reason = ": slides cut " + counted(input_.targets.size(), "mesh") + ", " +
+                               input_.targets[0].name + " and others; choose one with --node";
+    if (command_.out && !is_scene_name(*command_.out)) throw InputError("-o " + command_.out->string() + reason);
+    if (command_.picture) throw InputError("--picture " + command_.picture->string() + reason);
   }
 
-  // The file, or other thing that the user gave, which an error of the plug-in is about.
-  std::string culprit(cgw_status status) const {
-    switch (blame(status)) {
-      case Blame::model:
-        return command_.model.string();
-      case Blame::slides:
-        return command_.slides.value_or(command_.model).string();
-      case Blame::parameter:
-        return "--set";
-      case Blame::program:
-        break;
-    }
-    return "";
-  }
-
-  [[noreturn]] void rethrow(const PluginError& error) const {
-    const std::string name = culprit(error.status());
-    if (name.empty()) throw error;
-    throw InputError(name + ": " + error.what());
-  }
-
-  void fill(Session& session) {
-    for (const Setting& setting : command_.settings) {
-      try {
-        session.set_parameter(setting.id, setting.value);
-      } catch (const PluginError& error) {
-        if (blame(error.status()) != Blame::parameter) throw;
-        throw InputError(setting.typed + ": " + error.what());
-      }
-    }
-    try {
-      const Stopwatch preparing;
-      session.set_mesh(model_);
-      prepare_ms_ = preparing.milliseconds();
-      for (const Slide& slide : slides_) session.add_slide(slide);
-    } catch (const PluginError& error) {
-      rethrow(error);
-    }
-  }
-
-  void solve(Session& session) const {
-    try {
-      const HeededInterrupts heeded;  // by the listener's may_continue
-      session.solve(command_.threads);
-      throw_if_interrupted();
-    } catch (const PluginError& error) {
-      rethrow(error);
-    }
-  }
-
-  std::string picture(const Session& session, const TriangleMesh& cage) const {
+  std::string picture() const {
+    const Session& session = *solved_.front().session;
     PictureInput input;
-    input.model_points = model_.points;
-    input.model_triangles = model_.triangles;
-    input.cage_points = cage.points;
-    input.cage_triangles = cage.triangles;
+    input.model_points = input_.targets.front().model.points;
+    input.model_triangles = input_.targets.front().model.triangles;
+    input.cage_points = solved_.front().cage.points;
+    input.cage_triangles = solved_.front().cage.triangles;
     for (const SlideInfo& slide : session.slides()) {
       if (slide.info.has_ellipse != 1) continue;
       input.slides.push_back({std::to_array(slide.info.center), std::to_array(slide.info.u),
@@ -165,22 +110,31 @@ class CageRun {
     return {png.begin(), png.end()};
   }
 
-  void write(const Session& session, const TriangleMesh& cage, Report& report) {
+  void write(double read_ms) {
     progress_.show(1, "write");
     const Stopwatch writing;
-    std::vector<std::pair<std::filesystem::path, std::string>> files;
-    if (command_.out) files.emplace_back(*command_.out, mesh_bytes(cage, *command_.out));
-    if (command_.picture) files.emplace_back(*command_.picture, picture(session, cage));
-    report.timings_ms.read = read_ms_;
-    report.timings_ms.prepare = prepare_ms_;
-    report.timings_ms.write = writing.milliseconds();
-    report.timings_ms.total = total_.milliseconds();
-    report.peak_memory_mb = peak_memory_mb();
-    if (command_.report) files.emplace_back(*command_.report, report_text(report));
-    write_files(files, [&] { sum_up(report); });
+    std::vector<OutputFile> files;
+    if (command_.out && is_scene_name(*command_.out)) {
+      files = scene_files(input_, solved_, *plugin_, *command_.out);
+    } else if (command_.out) {
+      files.emplace_back(*command_.out, mesh_bytes(solved_.front().cage, *command_.out));
+    }
+    if (command_.picture) files.emplace_back(*command_.picture, picture());
+    std::vector<Report> reports;
+    for (const SolvedCage& solved : solved_) reports.push_back(solved.report);
+    Report::Timings& timings = reports.front().timings_ms;
+    timings.read = read_ms;
+    timings.write = writing.milliseconds();
+    timings.total = total_.milliseconds();
+    reports.front().peak_memory_mb = peak_memory_mb();
+    if (command_.report) files.emplace_back(*command_.report, reports_text(reports));
+    write_files(files, [&] {
+      for (const Report& report : reports) sum_up(report);
+    });
   }
 
   void sum_up(const Report& report) const {
+    if (!report.node.empty()) std::cout << one_line(report.node) << "\n";
     std::cout << "cage: " << counted(*report.cage.vertices, "vertex") << ", "
               << counted(*report.cage.triangles, "triangle");
     if (report.cage.genus) std::cout << ", genus " << *report.cage.genus;
@@ -196,9 +150,8 @@ class CageRun {
   Stopwatch total_;
   Progress progress_;
   std::shared_ptr<const Plugin> plugin_;
-  TriangleMesh model_;
-  std::vector<Slide> slides_;
-  double read_ms_ = 0, prepare_ms_ = 0;
+  CageInput input_;
+  std::vector<SolvedCage> solved_;
 };
 
 }  // namespace

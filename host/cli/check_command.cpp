@@ -23,8 +23,9 @@
 namespace cagewright::host {
 namespace {
 
-cgw_mesh_report inspect_file(const Plugin& plugin, const std::filesystem::path& path, Progress& progress) {
-  const MeshFile file = read_mesh(path);
+cgw_mesh_report inspect_file(const Plugin& plugin, const std::filesystem::path& path, MeshRole role,
+                             Progress& progress) {
+  const MeshFile file = read_mesh(path, role);
   for (const std::string& note : file.notes) progress.note(note);
   try {
     return plugin.inspect(file.mesh);
@@ -83,8 +84,8 @@ int run_check(const CheckCommand& command) {
   }
   const std::shared_ptr<const Plugin> plugin = Plugin::load(find_plugin(command.plugin));
   Progress progress(command.quiet);
-  const cgw_mesh_report model = inspect_file(*plugin, command.model, progress);
-  const cgw_mesh_report cage = inspect_file(*plugin, command.cage, progress);
+  const cgw_mesh_report model = inspect_file(*plugin, command.model, MeshRole::model, progress);
+  const cgw_mesh_report cage = inspect_file(*plugin, command.cage, MeshRole::cage, progress);
   const bool is_good = is_closed_manifold(cage);
 
   Report report;

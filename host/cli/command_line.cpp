@@ -25,14 +25,15 @@ class CommandLine {
     add_cage();
     add_check();
     add_params();
+    add_strip();
     validate_ = app_.add_subcommand("validate", "Check a scene's cages (not part of this version)");
     view_ = app_.add_subcommand("view", "Open the window (not part of this version)");
     for (CLI::App* later : {validate_, view_}) later->allow_extras();
   }
 
-  Command parse(int argc, const char* const* argv) {
+  Invocation parse(int argc, const char* const* argv) {
     if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
-      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check and params");
+      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params and strip");
     }
     try {
       app_.parse(argc, argv);
@@ -49,8 +50,9 @@ class CommandLine {
     if (cage_app_->parsed()) return cage();
     if (check_app_->parsed()) return check_;
     if (params_app_->parsed()) return params_;
+    if (strip_app_->parsed()) return strip_;
     const char* name = view_->parsed() ? "view" : "validate";
-    throw UsageError(in_quotes(name) + " is not part of this version; there are cage, check and params");
+    throw UsageError(in_quotes(name) + " is not part of this version; there are cage, check, params and strip");
   }
 
  private:
@@ -62,8 +64,11 @@ class CommandLine {
   void add_cage() {
     cage_app_ = app_.add_subcommand("cage", "Make a cage of a model");
     add_file(*cage_app_, "MODEL", cage_.model, "Closed mesh: .glb .gltf .obj .off .ply .stl")->required();
-    add_file(*cage_app_, "--slides", cage_.slides, "The cut slides, JSON; without any, the cage is a box");
-    add_file(*cage_app_, "-o,--out", cage_.out, "The cage: .obj .off .ply .stl .glb");
+    add_file(*cage_app_, "--slides", cage_.slides, "The cut slides, JSON; without it, those of the scene");
+    add_file(*cage_app_, "-o,--out", cage_.out,
+             "The scene with model, slides and cage: .glb .gltf; the cage alone: .obj .off .ply .stl");
+    cage_app_->add_option("--node", cage_.node, "Of a scene: the node with the mesh, where several have one")
+        ->type_name("NAME");
     const CLI::Validator number([](const std::string& text) { return number_fault(text); }, "");
     cage_app_->add_option("--delta", delta_, "Short for --set refine.delta=D, a fraction of the diagonal")
         ->type_name("NUMBER")
@@ -120,6 +125,13 @@ class CommandLine {
     add_plugin(*params_app_, params_.plugin);
   }
 
+  void add_strip() {
+    strip_app_ = app_.add_subcommand("strip", "Take slides and cages out of a scene");
+    add_file(*strip_app_, "SCENE", strip_.scene, "A scene: .glb .gltf")->required();
+    add_file(*strip_app_, "-o,--out", strip_.out, "The scene without them; may be SCENE itself")->required();
+    strip_app_->add_flag("--quiet", strip_.quiet, "No notes on stderr, only errors");
+  }
+
   static void add_plugin(CLI::App& app, OptionalPath& plugin) {
     add_file(app, "--plugin", plugin,
              "The plug-in; otherwise $CAGEWRIGHT_PLUGIN, or the one installed with this program");
@@ -144,17 +156,19 @@ class CommandLine {
   }
 
   CLI::App app_;
-  CLI::App *cage_app_ = nullptr, *check_app_ = nullptr, *params_app_ = nullptr, *validate_ = nullptr, *view_ = nullptr;
+  CLI::App *cage_app_ = nullptr, *check_app_ = nullptr, *params_app_ = nullptr, *strip_app_ = nullptr,
+           *validate_ = nullptr, *view_ = nullptr;
   CageCommand cage_;
   PictureArguments picture_;
   CheckCommand check_;
   ParamsCommand params_;
+  StripCommand strip_;
   std::optional<std::string> delta_, lambda_, iterations_;
   std::vector<std::string> set_;
 };
 
 }  // namespace
 
-Command parse_command_line(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
+Invocation parse_command_line(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
 
 }  // namespace cagewright::host

@@ -24,7 +24,8 @@ struct Setting {
 struct CageCommand {
   std::filesystem::path model;
   OptionalPath slides, out, report, picture, plugin;
-  PictureOptions picture_options;  // of one view, which is sound
+  std::optional<std::string> node;  // of a scene: a name or a number
+  PictureOptions picture_options;   // of one view, which is sound
   // In the order in which they are to be set: --delta, --lambda, --iterations, then every --set.
   std::vector<Setting> settings;
   std::uint32_t threads = 0;  // 0: as many as the machine has
@@ -37,6 +38,11 @@ struct CheckCommand {
   bool quiet = false;
 };
 
+struct StripCommand {
+  std::filesystem::path scene, out;
+  bool quiet = false;
+};
+
 struct ParamsCommand {
   OptionalPath plugin;
   bool as_json = false;
@@ -45,10 +51,10 @@ struct ParamsCommand {
 // Help or version was asked for and has been printed.
 struct Ended {};
 
-using Command = std::variant<CageCommand, CheckCommand, ParamsCommand, Ended>;
+using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, Ended>;
 
 // Reads the command line; help and version go to stdout. Throws UsageError where something is wrong with it.
-Command parse_command_line(int argc, const char* const* argv);
+Invocation parse_command_line(int argc, const char* const* argv);
 
 }  // namespace cagewright::host
 

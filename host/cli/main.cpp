@@ -13,6 +13,7 @@
 #include "host/cli/interrupt.h"
 #include "host/cli/output_files.h"
 #include "host/cli/params_command.h"
+#include "host/cli/strip_command.h"
 #include "host/cli/text.h"
 #include "host/file/file_error.h"
 #include "host/plugin_client/plugin_error.h"
@@ -26,6 +27,7 @@ struct Run {
   int operator()(const CageCommand& command) const { return run_cage(command); }
   int operator()(const CheckCommand& command) const { return run_check(command); }
   int operator()(const ParamsCommand& command) const { return run_params(command); }
+  int operator()(const StripCommand& command) const { return run_strip(command); }
   int operator()(const Ended&) const { return exit_done; }
 };
 

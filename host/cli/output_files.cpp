@@ -11,7 +11,6 @@
 #include "host/file/atomic_file.h"
 
 namespace cagewright::host {
-namespace {
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code error;
@@ -20,8 +19,6 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   };
   return full(a) == full(b);
 }
-
-}  // namespace
 
 void require_distinct(const std::vector<std::filesystem::path>& inputs,
                       const std::vector<std::filesystem::path>& outputs) {

@@ -10,6 +10,9 @@
 
 namespace cagewright::host {
 
+// Whether both name the same place, under whatever spelling.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 // Throws UsageError where an output would overwrite an input or another output, under whatever spelling.
 void require_distinct(const std::vector<std::filesystem::path>& inputs,
                       const std::vector<std::filesystem::path>& outputs);

@@ -3,100 +3,73 @@
 
 #include <tiny_gltf.h>
 
-#include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "host/file/byte_order.h"
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_check.h"
+#include "host/file/gltf_own_nodes.h"
 
 namespace cagewright::host {
 namespace {
 
-constexpr int deepest_json = 256;
-constexpr std::size_t json_at = 20;  // where it begins in a .glb
+constexpr char draco[] = "KHR_draco_mesh_compression";
 
-// tinygltf descends recursively into extras and extensions; what is too deep would overflow the stack.
-void check_depth(const std::filesystem::path& path, std::string_view json) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > deepest_json) throw FileError(path, {}, "its JSON is nested too deeply");
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
+// The keys of an object that we read, with their values.
+GltfJson only(const GltfJson& object, std::initializer_list<const char*> keys) {
+  GltfJson kept = GltfJson::object();
+  for (const char* key : keys) {
+    if (const GltfJson* value = find_key(object, key)) kept[key] = *value;
+  }
+  return kept;
+}
+
+// Which of these an object has under `holder`. tinygltf drops empty objects from extras and all but objects from
+// extensions.
+void keep_marks(const GltfJson& object, const char* holder, std::initializer_list<const char*> names, GltfJson& kept) {
+  const bool is_extras = std::string_view(holder) == "extras";
+  const GltfJson* all = find_key(object, holder);
+  for (const char* name : names) {
+    if (all && find_key(*all, name)) kept[holder][name] = is_extras ? GltfJson(true) : GltfJson::object();
   }
 }
 
-// The JSON of the file: its first chunk where it is binary.
-std::string_view json_of(std::string_view bytes) {
-  if (!bytes.starts_with("glTF")) return bytes;
-  if (bytes.size() < json_at) return {};
-  return bytes.substr(json_at, load<std::uint32_t>(bytes.data() + 12, std::endian::little));
-}
-
-void refuse_version(const std::filesystem::path& path, const std::string& version) {
-  if (version.empty() || version.starts_with("2.")) return;
-  throw FileError(path, {}, "is glTF of version " + in_quotes(version) + "; only 2.0 can be read");
-}
-
-// What the binary header says of the length, tinygltf compares to nothing.
-void check_binary_length(const std::filesystem::path& path, std::string_view bytes) {
-  if (bytes.size() < json_at) throw FileError(path, {}, "is cut short: it ends within the header of a .glb");
-  refuse_version(path, std::to_string(load<std::uint32_t>(bytes.data() + 4, std::endian::little)) + ".0");
-  const std::uint32_t length = load<std::uint32_t>(bytes.data() + 8, std::endian::little);
-  if (length > bytes.size()) {
-    throw FileError(path, Byte{8},
-                    "is cut short: its header promises " + counted(length, "byte") + ", but it has " +
-                        std::to_string(bytes.size()));
+GltfJson node_view(const GltfJson& node) {
+  GltfJson kept =
+      only(node, {"name", "children", "mesh", "skin", "camera", "translation", "rotation", "scale", "matrix"});
+  for (const char* holder : {"extensions", "extras"}) {
+    keep_marks(node, holder, {slide_extension, cage_extension}, kept);
   }
-  if (bytes.substr(16, 4) != "JSON") throw FileError(path, Byte{16}, "its first chunk is not the JSON of a glTF file");
-  const std::uint32_t chunk = load<std::uint32_t>(bytes.data() + 12, std::endian::little);
-  if (chunk > bytes.size() - json_at) {
-    throw FileError(path, Byte{12},
-                    "its JSON should have " + counted(chunk, "byte") + ", but only " +
-                        std::to_string(bytes.size() - json_at) + " follow");
-  }
+  return kept;
 }
 
-FilePlace place_of(std::string_view bytes, std::size_t byte) {
-  if (bytes.starts_with("glTF")) return Byte{byte};
-  const std::string_view before = bytes.substr(0, byte);
-  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
-  return Line{line, before.size() - (before.rfind('\n') + 1) + 1};  // npos + 1 is 0
+GltfJson mesh_view(const GltfJson& mesh) {
+  GltfJson kept = only(mesh, {"name"});
+  kept["primitives"] = GltfJson::array();
+  for (const GltfJson& primitive : *find_key(mesh, "primitives")) {
+    GltfJson view = only(primitive, {"attributes", "indices", "mode"});
+    keep_marks(primitive, "extensions", {draco}, view);
+    kept["primitives"].push_back(std::move(view));
+  }
+  return kept;
 }
 
-// Throws FileError where the JSON itself is broken; tinygltf's own words would be those of its parser.
-void check_json(const std::filesystem::path& path, std::string_view bytes) {
-  const std::string_view json = json_of(bytes);
-  const auto begin = static_cast<std::size_t>(json.data() - bytes.data());
-  try {
-    [[maybe_unused]] const auto parsed = nlohmann::json::parse(json.begin(), json.end());
-  } catch (const nlohmann::json::parse_error& error) {
-    const std::size_t at = std::min(error.byte > 0 ? error.byte - 1 : 0, json.size());
-    const std::string_view rest = json.substr(at, json.substr(at, 20).find_first_of("\r\n"));
-    throw FileError(path, place_of(bytes, begin + at),
-                    (at == json.size() ? std::string("its JSON ends in the middle")
-                                       : "its JSON is broken at " + in_quotes(rest.substr(0, 20))) +
-                        "; export it again");
-  } catch (const nlohmann::json::out_of_range& error) {  // "... number overflow parsing '1e999'"
-    const std::string message = error.what();
-    const std::size_t open = message.find('\''), close = message.rfind('\'');
-    const std::string number = open < close ? message.substr(open + 1, close - open - 1) : "";
-    throw FileError(path, place_of(bytes, begin + std::min(json.find(number), json.size())),
-                    "its JSON holds a number beyond the range of doubles: " + in_quotes(number));
-  }
+// What we read of the file, so that tinygltf stumbles over nothing else. Precondition: check_gltf has passed.
+GltfJson view_of(const GltfJson& json) {
+  GltfJson kept = only(json, {"asset", "scene", "accessors", "bufferViews", "buffers"});
+  const auto each = [&](const char* array, auto view) {
+    const GltfJson* items = find_key(json, array);
+    if (items == nullptr) return;
+    kept[array] = GltfJson::array();
+    for (const GltfJson& item : *items) kept[array].push_back(view(item));
+  };
+  each("scenes", [](const GltfJson& scene) { return only(scene, {"nodes"}); });
+  each("nodes", node_view);
+  each("meshes", mesh_view);
+  return kept;
 }
 
 // tinygltf's messages are one or more lines; the first says it.
@@ -128,14 +101,9 @@ bool is_there(const std::string& path, void* user) {
   return false;
 }
 
-bool is_image(const std::filesystem::path& path) {
-  constexpr std::array<std::string_view, 6> endings = {".png", ".jpg", ".jpeg", ".webp", ".ktx2", ".dds"};
-  return std::find(endings.begin(), endings.end(), lower_ending(path)) != endings.end();
-}
-
 bool read_whole(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
   try {
-    const std::string bytes = is_image(path) ? " " : read_bytes(path);
+    const std::string bytes = read_bytes(path);
     out->assign(bytes.begin(), bytes.end());
     return true;
   } catch (const FileError& failure) {
@@ -148,27 +116,33 @@ bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, in
   return true;
 }
 
-void refuse_compression(const std::filesystem::path& path, const tinygltf::Model& model) {
-  for (const std::string& extension : model.extensionsRequired) {
-    if (extension == "KHR_draco_mesh_compression") {
-      throw FileError(path, {},
-                      "its meshes are compressed with Draco, which cannot be read; export it without compression");
-    }
-    if (extension == "EXT_meshopt_compression") {
-      throw FileError(path, {},
-                      "its meshes are compressed with meshopt, which cannot be read; export it without compression");
-    }
+void refuse_compression(const std::filesystem::path& path, const GltfJson& json) {
+  const GltfJson* required = find_key(json, "extensionsRequired");
+  if (required == nullptr) return;
+  for (const GltfJson& extension : *required) {
+    const bool is_draco = extension == draco;
+    if (!is_draco && extension != "EXT_meshopt_compression") continue;
+    throw FileError(path, {},
+                    std::string("its meshes are compressed with ") + (is_draco ? "Draco" : "meshopt") +
+                        ", which cannot be read; export it without compression");
   }
 }
 
 }  // namespace
 
 void load_gltf(const std::filesystem::path& path, std::string_view bytes, tinygltf::Model& model) {
-  const bool is_binary = bytes.starts_with("glTF");
-  if (is_binary) check_binary_length(path, bytes);
-  check_depth(path, json_of(bytes));
-  if (bytes.size() > std::numeric_limits<std::uint32_t>::max()) throw FileError(path, {}, "is longer than 4 GiB");
-  const auto size = static_cast<unsigned int>(bytes.size());
+  const GltfContainer container = split_gltf(path, bytes);
+  load_gltf(path, container, parse_container_json(path, container), model);
+}
+
+void load_gltf(const std::filesystem::path& path, const GltfContainer& container, const GltfJson& json,
+               tinygltf::Model& model) {
+  check_gltf(path, json);
+  refuse_compression(path, json);
+  const std::string view =
+      join_gltf(path, {container.is_binary, {}, container.chunks, {}}, gltf_json_text(view_of(json)));
+  if (view.size() > std::numeric_limits<std::uint32_t>::max()) throw FileError(path, {}, "is longer than 4 GiB");
+  const auto size = static_cast<unsigned int>(view.size());
 
   Surroundings surroundings{std::filesystem::absolute(path).parent_path().string(), {}};
   tinygltf::TinyGLTF loader;
@@ -179,16 +153,14 @@ void load_gltf(const std::filesystem::path& path, std::string_view bytes, tinygl
   std::string error, warning;
   bool is_good = false;
   try {
-    is_good = is_binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                                      reinterpret_cast<const unsigned char*>(bytes.data()), size,
-                                                      surroundings.folder)
-                        : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, surroundings.folder);
+    is_good =
+        container.is_binary
+            ? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(view.data()),
+                                          size, surroundings.folder)
+            : loader.LoadASCIIFromString(&model, &error, &warning, view.data(), size, surroundings.folder);
   } catch (const std::exception& failure) {  // tinygltf indexes some empty arrays with at()
     error += failure.what();
   }
-  refuse_version(path, model.asset.version);
-  refuse_compression(path, model);
-  if (!is_good) check_json(path, bytes);
   if (!is_good && !surroundings.missing_file.empty() && error.find("File not found") != error.npos) {
     throw FileError(path, {},
                     "its buffer is the file " + in_quotes(surroundings.missing_file) +

@@ -5,15 +5,23 @@
 #include <filesystem>
 #include <string_view>
 
+#include "host/file/gltf_container.h"
+#include "host/file/gltf_json.h"
+
 namespace tinygltf {
 class Model;
 }
 
 namespace cagewright::host {
 
-// The document of a .gltf or .glb with its buffers; images are not loaded. Buffers are looked for beside `path` and
+// The typed view of a .gltf or .glb: scenes, nodes, meshes, accessors, buffer views and buffers; nothing else is looked
+// at, and of extensions and extras only ours and Draco's are there, empty. Buffers are looked for beside `path` and
 // nowhere else. Throws FileError.
 void load_gltf(const std::filesystem::path& path, std::string_view bytes, tinygltf::Model& model);
+
+// The same of a file that is split and parsed already.
+void load_gltf(const std::filesystem::path& path, const GltfContainer& container, const GltfJson& json,
+               tinygltf::Model& model);
 
 }  // namespace cagewright::host
 

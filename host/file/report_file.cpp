@@ -59,10 +59,8 @@ Json to_json(const std::vector<std::pair<std::string, Report::Option>>& options)
   return json;
 }
 
-}  // namespace
-
-std::string report_text(const Report& report) {
-  Json json;
+// What a report says of one cage.
+void add_findings(const Report& report, Json& json) {
   json["model"] = to_json(report.model);
   json["slides"] = to_json(report.slides);
   json["parts"] = or_null(report.parts);
@@ -74,12 +72,33 @@ std::string report_text(const Report& report) {
   json["tightness"] = {{"volume_ratio", or_null(report.tightness.volume_ratio)},
                        {"mean_gap_over_diagonal", or_null(report.tightness.mean_gap_over_diagonal)},
                        {"max_gap_over_diagonal", or_null(report.tightness.max_gap_over_diagonal)}};
-  json["timings_ms"] = to_json(report.timings_ms);
-  json["peak_memory_mb"] = or_null(report.peak_memory_mb);
-  json["version"] = report.version;
-  json["options"] = to_json(report.options);
+}
+
+}  // namespace
+
+std::string report_text(const Report& report) { return reports_text({report}); }
+
+std::string reports_text(const std::vector<Report>& reports) {
+  const Report& first = reports.front();
+  Json json;
+  add_findings(first, json);
+  if (reports.size() > 1) {
+    Json cages = Json::array();
+    for (const Report& report : reports) {
+      Json cage = {{"node", report.node}};
+      add_findings(report, cage);
+      cages.push_back(std::move(cage));
+    }
+    json["cages"] = std::move(cages);
+  }
+  json["timings_ms"] = to_json(first.timings_ms);
+  json["peak_memory_mb"] = or_null(first.peak_memory_mb);
+  json["version"] = first.version;
+  json["options"] = to_json(first.options);
   // Paths need not be UTF-8.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
+
+std::string certificate_text(const Report::Certificate& certificate) { return to_json(certificate).dump(); }
 
 }  // namespace cagewright::host

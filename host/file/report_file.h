@@ -46,6 +46,7 @@ struct Report {
   };
   using Option = std::variant<bool, std::int64_t, double, std::string>;
 
+  std::string node;  // of the scene; "" where there is but one model
   Mesh model;
   std::vector<Slide> slides;
   std::optional<std::uint64_t> parts;
@@ -61,6 +62,13 @@ struct Report {
 
 // The report as JSON with the keys of the structs above, indented. NaN and infinity become null.
 std::string report_text(const Report& report);
+
+// The same of a scene with several cages: the first one's report, and in the key "cages" for each its node, model,
+// slides, parts, cage, refinement, certificate and tightness. Precondition: one at least.
+std::string reports_text(const std::vector<Report>& reports);
+
+// The object of the key "certificate" alone, on one line.
+std::string certificate_text(const Report::Certificate& certificate);
 
 }  // namespace cagewright::host
 

@@ -116,6 +116,16 @@ TriangleMesh Session::cage() const {
   return mesh;
 }
 
+std::vector<int> Session::vertex_sections() const {
+  cgw_cage cage = CGW_CAGE_INIT;
+  check(api().get_cage(session_, &cage), "get_cage");
+  std::vector<std::int32_t> sections(cage.vertex_count);
+  cage.vertex_section = sections.data();
+  cage.vertex_capacity = cage.vertex_count;
+  check(api().get_cage(session_, &cage), "get_cage");
+  return {sections.begin(), sections.end()};
+}
+
 std::vector<cgw_section> Session::sections() const {
   std::vector<cgw_section> sections(api().section_count(session_), cgw_section CGW_SECTION_INIT);
   for (std::size_t i = 0; i < sections.size(); ++i) check(api().get_section(session_, i, &sections[i]), "get_section");

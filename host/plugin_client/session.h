@@ -47,6 +47,8 @@ class Session {
 
   // Results. Figures that the plug-in did not write are NaN.
   TriangleMesh cage() const;
+  // Of each vertex of the cage: the row of sections() that it is a corner of, or -1.
+  std::vector<int> vertex_sections() const;
   std::vector<cgw_section> sections() const;
   std::uint64_t part_count() const;
   cgw_summary summary() const;

@@ -37,22 +37,22 @@ std::vector<int> items_of(const CageBlock& block, std::size_t array) {
 
 std::string pointer_to(const char* array) { return std::string("/").append(array); }
 
-std::optional<int> index_in(const SceneJson& object, const char* key) {
-  const SceneJson* found = find_key(object, key);
+std::optional<int> index_in(const GltfJson& object, const char* key) {
+  const GltfJson* found = find_key(object, key);
   if (found == nullptr || !found->is_number_integer()) return {};
   return found->get<int>();
 }
 
-const SceneJson* item(const SceneJson& json, const char* array, std::optional<int> index) {
-  const SceneJson* items = find_key(json, array);
+const GltfJson* item(const GltfJson& json, const char* array, std::optional<int> index) {
+  const GltfJson* items = find_key(json, array);
   if (!index || *index < 0 || items == nullptr || !items->is_array()) return nullptr;
   return static_cast<std::size_t>(*index) < items->size() ? &(*items)[static_cast<std::size_t>(*index)] : nullptr;
 }
 
 // How often each item is named under one of `keys`, anywhere but in extras.
-void count_uses(const SceneJson& json, const std::vector<std::string>& keys, std::map<int, int>& uses) {
+void count_uses(const GltfJson& json, const std::vector<std::string>& keys, std::map<int, int>& uses) {
   if (json.is_array()) {
-    for (const SceneJson& element : json) count_uses(element, keys, uses);
+    for (const GltfJson& element : json) count_uses(element, keys, uses);
   }
   if (!json.is_object()) return;
   for (const auto& [key, value] : json.items()) {
@@ -62,7 +62,7 @@ void count_uses(const SceneJson& json, const std::vector<std::string>& keys, std
   }
 }
 
-void count_items(const SceneJson* object, std::map<int, int>& uses) {
+void count_items(const GltfJson* object, std::map<int, int>& uses) {
   if (object == nullptr || !object->is_object()) return;
   for (const auto& [key, value] : object->items()) {
     if (value.is_number_integer()) ++uses[value.get<int>()];
@@ -70,27 +70,27 @@ void count_items(const SceneJson* object, std::map<int, int>& uses) {
 }
 
 // Attributes and morph targets name accessors by keys of any name.
-void count_attributes(const SceneJson& mesh, std::map<int, int>& uses) {
-  const SceneJson* primitives = find_key(mesh, "primitives");
+void count_attributes(const GltfJson& mesh, std::map<int, int>& uses) {
+  const GltfJson* primitives = find_key(mesh, "primitives");
   if (primitives == nullptr || !primitives->is_array()) return;
-  for (const SceneJson& primitive : *primitives) {
+  for (const GltfJson& primitive : *primitives) {
     count_items(find_key(primitive, "attributes"), uses);
-    if (const SceneJson* targets = find_key(primitive, "targets"); targets && targets->is_array()) {
-      for (const SceneJson& target : *targets) count_items(&target, uses);
+    if (const GltfJson* targets = find_key(primitive, "targets"); targets && targets->is_array()) {
+      for (const GltfJson& target : *targets) count_items(&target, uses);
     }
   }
 }
 
 class Uses {
  public:
-  explicit Uses(const SceneJson& json) {
-    const SceneJson empty = SceneJson::array();
-    const auto part = [&](const char* key) -> const SceneJson& {
-      const SceneJson* found = find_key(json, key);
+  explicit Uses(const GltfJson& json) {
+    const GltfJson empty = GltfJson::array();
+    const auto part = [&](const char* key) -> const GltfJson& {
+      const GltfJson* found = find_key(json, key);
       return found ? *found : empty;
     };
     count_uses(part("nodes"), {"mesh"}, meshes_);
-    for (const SceneJson& mesh : part("meshes")) count_attributes(mesh, accessors_);
+    for (const GltfJson& mesh : part("meshes")) count_attributes(mesh, accessors_);
     count_uses(part("meshes"), {"indices"}, accessors_);
     count_uses(part("skins"), {"inverseBindMatrices"}, accessors_);
     count_uses(part("animations"), {"input", "output"}, accessors_);
@@ -115,41 +115,41 @@ class Uses {
 };
 
 // The block of a mesh that has the layout that we write; empty for any other.
-std::optional<CageBlock> block_of(const SceneJson& json, int mesh) {
-  const SceneJson* mesh_json = item(json, "meshes", mesh);
-  const SceneJson* primitives = mesh_json ? find_key(*mesh_json, "primitives") : nullptr;
+std::optional<CageBlock> block_of(const GltfJson& json, int mesh) {
+  const GltfJson* mesh_json = item(json, "meshes", mesh);
+  const GltfJson* primitives = mesh_json ? find_key(*mesh_json, "primitives") : nullptr;
   if (!primitives || !primitives->is_array() || primitives->size() != 1) return {};
-  const SceneJson* attributes = find_key((*primitives)[0], "attributes");
+  const GltfJson* attributes = find_key((*primitives)[0], "attributes");
   if (!attributes || attributes->size() != 1 || find_key((*primitives)[0], "targets")) return {};
   const auto positions = index_in(*attributes, "POSITION"), indices = index_in((*primitives)[0], "indices");
-  const SceneJson *position_json = item(json, "accessors", positions), *index_json = item(json, "accessors", indices);
+  const GltfJson *position_json = item(json, "accessors", positions), *index_json = item(json, "accessors", indices);
   if (!position_json || !index_json || positions == indices) return {};
   const auto position_view = index_in(*position_json, "bufferView"), index_view = index_in(*index_json, "bufferView");
-  const SceneJson *first = item(json, "bufferViews", position_view), *second = item(json, "bufferViews", index_view);
+  const GltfJson *first = item(json, "bufferViews", position_view), *second = item(json, "bufferViews", index_view);
   if (!first || !second || position_view == index_view) return {};
   const auto buffer = index_in(*first, "buffer");
-  const SceneJson* buffer_json = item(json, "buffers", buffer);
+  const GltfJson* buffer_json = item(json, "buffers", buffer);
   if (!buffer_json || index_in(*second, "buffer") != buffer) return {};
-  const SceneJson* uri = find_key(*buffer_json, "uri");
+  const GltfJson* uri = find_key(*buffer_json, "uri");
   if (!uri || !uri->is_string() || uri->get_ref<const std::string&>().rfind("data:", 0) != 0) return {};
   return CageBlock{mesh, *positions, *indices, *position_view, *index_view, *buffer};
 }
 
 // Whether what the blocks have are the last items of each array.
-bool are_last(const SceneJson& json, const std::vector<CageBlock>& blocks) {
+bool are_last(const GltfJson& json, const std::vector<CageBlock>& blocks) {
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     std::set<int> items;
     for (const CageBlock& block : blocks) {
       for (const int index : items_of(block, a)) items.insert(index);
     }
-    const SceneJson* array = find_key(json, arrays[a]);
+    const GltfJson* array = find_key(json, arrays[a]);
     if (!items.empty() && static_cast<std::size_t>(*items.begin()) + items.size() != array->size()) return false;
   }
   return true;
 }
 
-std::vector<SceneJson> geometry_of(const SceneJson& json, const CageBlock& block) {
-  std::vector<SceneJson> geometry;
+std::vector<GltfJson> geometry_of(const GltfJson& json, const CageBlock& block) {
+  std::vector<GltfJson> geometry;
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     for (const int index : items_of(block, a)) geometry.push_back(*item(json, arrays[a], index));
   }
@@ -157,7 +157,7 @@ std::vector<SceneJson> geometry_of(const SceneJson& json, const CageBlock& block
 }
 
 // Mesh, positions, indices, their two views and the buffer.
-std::vector<SceneJson> make_geometry(const std::filesystem::path& path, const SceneCage& cage) {
+std::vector<GltfJson> make_geometry(const std::filesystem::path& path, const SceneCage& cage) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const TriangleMesh& mesh = cage.mesh;
   std::string bytes;
@@ -184,9 +184,9 @@ std::vector<SceneJson> make_geometry(const std::filesystem::path& path, const Sc
   }
   const std::size_t index_bytes = bytes.size() - position_bytes;
   bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
-  const SceneJson primitive = {{"attributes", {{"POSITION", 0}}}, {"indices", 0}, {"mode", triangles_mode}};
+  const GltfJson primitive = {{"attributes", {{"POSITION", 0}}}, {"indices", 0}, {"mode", triangles_mode}};
   return {
-      {{"name", cage.name}, {"primitives", SceneJson::array({primitive})}},
+      {{"name", cage.name}, {"primitives", GltfJson::array({primitive})}},
       {{"bufferView", 0},
        {"componentType", float_type},
        {"count", mesh.vertex_count()},
@@ -203,10 +203,10 @@ std::vector<SceneJson> make_geometry(const std::filesystem::path& path, const Sc
 }
 
 // The number that the array's next item gets.
-int next_item(SceneJson& json, const char* array, std::set<std::string>& filled) {
-  SceneJson* items = find_key(json, array);
+int next_item(GltfJson& json, const char* array, std::set<std::string>& filled) {
+  GltfJson* items = find_key(json, array);
   if (items == nullptr) {
-    json[array] = SceneJson::array();
+    json[array] = GltfJson::array();
     items = find_key(json, array);
   } else if (items->empty()) {
     filled.insert(pointer_to(array));
@@ -215,7 +215,7 @@ int next_item(SceneJson& json, const char* array, std::set<std::string>& filled)
   return static_cast<int>(items->size()) - 1;
 }
 
-void place_geometry(std::vector<SceneJson> geometry, const CageBlock& block, SceneJson& json) {
+void place_geometry(std::vector<GltfJson> geometry, const CageBlock& block, GltfJson& json) {
   geometry[0]["primitives"][0]["attributes"]["POSITION"] = block.positions;
   geometry[0]["primitives"][0]["indices"] = block.indices;
   geometry[1]["bufferView"] = block.position_view;
@@ -253,7 +253,7 @@ void detach_cage_geometry(SceneBase& base, SceneContent& content) {
   }
   if (!at_the_end || own.empty()) return;
   for (std::size_t a = 0; a < arrays.size(); ++a) {
-    SceneJson& array = *find_key(base.json, arrays[a]);
+    GltfJson& array = *find_key(base.json, arrays[a]);
     for (const CageBlock& block : blocks)
       array.erase(array.end() - static_cast<std::ptrdiff_t>(items_of(block, a).size()), array.end());
     if (array.empty() && base.keeps.count(pointer_to(arrays[a])) == 0) base.json.erase(arrays[a]);
@@ -261,7 +261,7 @@ void detach_cage_geometry(SceneBase& base, SceneContent& content) {
 }
 
 std::vector<int> attach_cage_geometry(const std::filesystem::path& path, const SceneBase& base,
-                                      const SceneContent& content, SceneJson& json, std::set<std::string>& filled) {
+                                      const SceneContent& content, GltfJson& json, std::set<std::string>& filled) {
   std::set<int> taken;
   for (const SceneCage& cage : content.cages) {
     if (cage.as_read && cage.as_read->block >= 0) taken.insert(cage.as_read->block);

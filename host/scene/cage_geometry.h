@@ -16,7 +16,7 @@ void detach_cage_geometry(SceneBase& base, SceneContent& content);
 // Puts each cage's geometry into json, the base's, and returns of each the number of its mesh. Adds to `filled` the
 // JSON pointers of arrays that were there and empty. Throws FileError where a cage is too far out for glTF's floats.
 std::vector<int> attach_cage_geometry(const std::filesystem::path& path, const SceneBase& base,
-                                      const SceneContent& content, SceneJson& json, std::set<std::string>& filled);
+                                      const SceneContent& content, GltfJson& json, std::set<std::string>& filled);
 
 }  // namespace cagewright::host
 

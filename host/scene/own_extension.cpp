@@ -10,11 +10,11 @@ namespace {
 // Reads one extension's object; every refusal names the node and the key.
 class OwnReader {
  public:
-  OwnReader(const std::filesystem::path& path, std::string place, const char* extension, const SceneJson& node)
+  OwnReader(const std::filesystem::path& path, std::string place, const char* extension, const GltfJson& node)
       : path_(path), place_(std::move(place)), extension_(extension) {
     for (const char* holder : {"extensions", "extras"}) {
-      const SceneJson* all = find_key(node, holder);
-      const SceneJson* own = all ? find_key(*all, extension) : nullptr;
+      const GltfJson* all = find_key(node, holder);
+      const GltfJson* own = all ? find_key(*all, extension) : nullptr;
       if (own == nullptr) continue;
       if (!own->is_object()) fail("", "an object");
       own_ = own;
@@ -26,16 +26,16 @@ class OwnReader {
     throw FileError(path_, {}, place_ + extension_ + (key.empty() ? "" : "." + key) + " should be " + wanted);
   }
 
-  const SceneJson* find(const char* key) const { return own_ ? find_key(*own_, key) : nullptr; }
+  const GltfJson* find(const char* key) const { return own_ ? find_key(*own_, key) : nullptr; }
 
   // Null where the key is not there.
-  const SceneJson* array(const char* key, const char* wanted) const {
-    const SceneJson* found = find(key);
+  const GltfJson* array(const char* key, const char* wanted) const {
+    const GltfJson* found = find(key);
     if (found && !found->is_array()) fail(key, wanted);
     return found;
   }
 
-  std::int64_t id_in(const SceneJson& json, const char* key, const char* wanted) const {
+  std::int64_t id_in(const GltfJson& json, const char* key, const char* wanted) const {
     constexpr std::int64_t largest = std::int64_t{1} << 53;  // what every JSON reader can hold
     if (!json.is_number_integer() || json.get<std::int64_t>() < 1 || json.get<std::int64_t>() > largest) {
       fail(key, wanted);
@@ -45,8 +45,8 @@ class OwnReader {
 
   std::vector<std::string> keeps() const {
     std::vector<std::string> pointers;
-    if (const SceneJson* found = array("keeps", "an array of strings")) {
-      for (const SceneJson& pointer : *found) {
+    if (const GltfJson* found = array("keeps", "an array of strings")) {
+      for (const GltfJson& pointer : *found) {
         if (!pointer.is_string()) fail("keeps", "an array of strings");
         pointers.push_back(pointer.get<std::string>());
       }
@@ -58,31 +58,31 @@ class OwnReader {
   const std::filesystem::path& path_;
   std::string place_;
   const char* extension_;
-  const SceneJson* own_ = nullptr;
+  const GltfJson* own_ = nullptr;
 };
 
-SceneJson& object_at(SceneJson& node, const char* key) {
-  SceneJson* found = find_key(node, key);
+GltfJson& object_at(GltfJson& node, const char* key) {
+  GltfJson* found = find_key(node, key);
   if (found && found->is_object()) return *found;
-  return node[key] = SceneJson::object();
+  return node[key] = GltfJson::object();
 }
 
 // The extension's object, and the shadow where `extras` are free for it.
-void write_own(const char* extension, SceneJson value, SceneJson shadow, SceneJson& node) {
+void write_own(const char* extension, GltfJson value, GltfJson shadow, GltfJson& node) {
   object_at(node, "extensions")[extension] = std::move(value);
-  const SceneJson* extras = find_key(node, "extras");
+  const GltfJson* extras = find_key(node, "extras");
   if (extras == nullptr || extras->is_object()) object_at(node, "extras")[extension] = std::move(shadow);
 }
 
 }  // namespace
 
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
-                                       const SceneJson& node) {
+                                       const GltfJson& node) {
   const OwnReader reader(path, place, slide_extension, node);
   OwnSlideExtension own;
-  if (const SceneJson* id = reader.find("id")) own.id = reader.id_in(*id, "id", "a positive integer");
-  if (const SceneJson* stroke = reader.array("stroke", "an array of points")) {
-    for (const SceneJson& item : *stroke) {
+  if (const GltfJson* id = reader.find("id")) own.id = reader.id_in(*id, "id", "a positive integer");
+  if (const GltfJson* stroke = reader.array("stroke", "an array of points")) {
+    for (const GltfJson& item : *stroke) {
       if (!item.is_array() || item.size() != 3) reader.fail("stroke", "an array of points, three numbers each");
       Point3 point{};
       for (std::size_t i = 0; i < 3; ++i) {
@@ -93,7 +93,7 @@ OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const 
       own.stroke.push_back(point);
     }
   }
-  if (const SceneJson* fitted = reader.array("fitted", "10 numbers")) {
+  if (const GltfJson* fitted = reader.array("fitted", "10 numbers")) {
     if (fitted->size() != 10) reader.fail("fitted", "10 numbers");
     own.fitted.emplace();
     for (std::size_t i = 0; i < 10; ++i) {
@@ -106,11 +106,11 @@ OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const 
   return own;
 }
 
-SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const SceneJson& node,
+SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const GltfJson& node,
                               std::set<std::string>& keeps) {
   const OwnReader reader(path, place, cage_extension, node);
   SceneCage cage;
-  if (const SceneJson* parameters = reader.find("parameters")) {
+  if (const GltfJson* parameters = reader.find("parameters")) {
     if (!parameters->is_object()) reader.fail("parameters", "an object of numbers");
     for (const auto& item : parameters->items()) {
       const auto number = number_in(item.value());
@@ -118,25 +118,25 @@ SceneCage read_cage_extension(const std::filesystem::path& path, const std::stri
       cage.parameters.emplace_back(item.key(), *number);
     }
   }
-  if (const SceneJson* slides = reader.array("slides", "an array of ids")) {
-    for (const SceneJson& id : *slides) cage.slides.push_back(reader.id_in(id, "slides", "an array of ids"));
+  if (const GltfJson* slides = reader.array("slides", "an array of ids")) {
+    for (const GltfJson& id : *slides) cage.slides.push_back(reader.id_in(id, "slides", "an array of ids"));
   }
-  if (const SceneJson* sections = reader.array("sections", "an array of rows of \"slides\", or -1")) {
-    for (const SceneJson& row : *sections) {
+  if (const GltfJson* sections = reader.array("sections", "an array of rows of \"slides\", or -1")) {
+    for (const GltfJson& row : *sections) {
       const bool is_row = row.is_number_integer() && row.get<std::int64_t>() >= -1 &&
                           row.get<std::int64_t>() < static_cast<std::int64_t>(cage.slides.size());
       if (!is_row) reader.fail("sections", "an array of rows of \"slides\", or -1");
       cage.sections.push_back(row.get<int>());
     }
   }
-  if (const SceneJson* certificate = reader.find("certificate")) cage.certificate = scene_json_text(*certificate);
+  if (const GltfJson* certificate = reader.find("certificate")) cage.certificate = gltf_json_text(*certificate);
   for (std::string& pointer : reader.keeps()) keeps.insert(std::move(pointer));
   return cage;
 }
 
 void write_slide_extension(const SceneSlide& slide, const std::optional<TranslationRotationScale>& fitted,
-                           SceneJson& node) {
-  SceneJson own = {{"id", slide.id}};
+                           GltfJson& node) {
+  GltfJson own = {{"id", slide.id}};
   if (!slide.stroke.empty() && fitted) {
     own["stroke"] = slide.stroke;
     own["fitted"] = *fitted;
@@ -144,19 +144,19 @@ void write_slide_extension(const SceneSlide& slide, const std::optional<Translat
   write_own(slide_extension, std::move(own), {{"id", slide.id}}, node);
 }
 
-void write_cage_extension(const SceneCage& cage, int source, SceneJson& node) {
-  SceneJson own = {{"source", source}, {"parameters", SceneJson::object()}};
+void write_cage_extension(const SceneCage& cage, int source, GltfJson& node) {
+  GltfJson own = {{"source", source}, {"parameters", GltfJson::object()}};
   for (const auto& [id, value] : cage.parameters) own["parameters"][id] = value;
   own["slides"] = cage.slides;
   own["sections"] = cage.sections;
-  if (!cage.certificate.empty()) own["certificate"] = SceneJson::parse(cage.certificate);
+  if (!cage.certificate.empty()) own["certificate"] = GltfJson::parse(cage.certificate);
   write_own(cage_extension, std::move(own), {{"slides", cage.slides}}, node);
 }
 
-void write_keeps(const std::set<std::string>& keeps, SceneJson& node) {
-  SceneJson& extensions = node["extensions"];
+void write_keeps(const std::set<std::string>& keeps, GltfJson& node) {
+  GltfJson& extensions = node["extensions"];
   for (const char* extension : {slide_extension, cage_extension}) {
-    SceneJson* own = find_key(extensions, extension);
+    GltfJson* own = find_key(extensions, extension);
     if (own == nullptr) continue;
     own->erase("keeps");
     if (!keeps.empty()) (*own)["keeps"] = keeps;
@@ -164,9 +164,9 @@ void write_keeps(const std::set<std::string>& keeps, SceneJson& node) {
   }
 }
 
-void remove_own_extensions(SceneJson& node) {
+void remove_own_extensions(GltfJson& node) {
   for (const char* holder : {"extensions", "extras"}) {
-    SceneJson* all = find_key(node, holder);
+    GltfJson* all = find_key(node, holder);
     if (all == nullptr || !all->is_object()) continue;
     const std::size_t had = all->size();
     all->erase(slide_extension);

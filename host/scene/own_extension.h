@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "host/file/gltf_json.h"
 #include "host/scene/scene_content.h"
-#include "host/scene/scene_json.h"
 #include "host/scene/slide_transform.h"
 
 // The JSON of the extensions CAGEWRIGHT_cut_slide and CAGEWRIGHT_cage and of the same keys in `extras`, as
@@ -25,20 +25,20 @@ struct OwnSlideExtension {
 
 // Of a whole node. Throws FileError, with `place` before the reason, where a value is of the wrong type.
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
-                                       const SceneJson& node);
+                                       const GltfJson& node);
 // Parameters, slides, sections and certificate; adds to `keeps`. Throws as above.
-SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const SceneJson& node,
+SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const GltfJson& node,
                               std::set<std::string>& keeps);
 
 // Put the extension and its shadow in `extras` into a node; what others have there stays.
 void write_slide_extension(const SceneSlide& slide, const std::optional<TranslationRotationScale>& fitted,
-                           SceneJson& node);
-void write_cage_extension(const SceneCage& cage, int source, SceneJson& node);
+                           GltfJson& node);
+void write_cage_extension(const SceneCage& cage, int source, GltfJson& node);
 // On any node that has one of ours.
-void write_keeps(const std::set<std::string>& keeps, SceneJson& node);
+void write_keeps(const std::set<std::string>& keeps, GltfJson& node);
 
 // Takes both out of a node, and `extensions` or `extras` where nothing else is in them.
-void remove_own_extensions(SceneJson& node);
+void remove_own_extensions(GltfJson& node);
 
 }  // namespace cagewright::host
 

@@ -15,7 +15,7 @@ bool same_ellipse(const Slide::Ellipse& a, const Slide::Ellipse& b) {
 }
 
 void write_transform(const Eigen::Affine3d& transform, const std::optional<TranslationRotationScale>& parts,
-                     SceneJson& node) {
+                     GltfJson& node) {
   for (const char* key : {"translation", "rotation", "scale", "matrix"}) node.erase(key);
   if (parts) {
     const auto& p = *parts;
@@ -33,7 +33,7 @@ class PuttingTogether {
   PuttingTogether(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content)
       : path_(path), base_(base), content_(content), json_(base.json), holes_(base.holes) {}
 
-  SceneJson run() {
+  GltfJson run() {
     if (content_.slides.empty() && content_.cages.empty() && holes_.empty()) return std::move(json_);
     for (const SceneSlide& slide : content_.slides) claim(slide);
     for (const SceneCage& cage : content_.cages) claim(cage);
@@ -47,8 +47,8 @@ class PuttingTogether {
   }
 
  private:
-  SceneJson& nodes() { return json_["nodes"]; }
-  SceneJson& node(int index) { return nodes()[static_cast<std::size_t>(index)]; }
+  GltfJson& nodes() { return json_["nodes"]; }
+  GltfJson& node(int index) { return nodes()[static_cast<std::size_t>(index)]; }
 
   template <typename Own>
   void claim(const Own& own) {
@@ -63,16 +63,16 @@ class PuttingTogether {
     return static_cast<int>(nodes().size()) - 1;
   }
 
-  void put(int index, SceneJson value) {
+  void put(int index, GltfJson value) {
     node(index) = std::move(value);
     if (first_own_ < 0) first_own_ = index;
   }
 
   // Adds a node to its parent's children, or to the scenes where it has no parent.
   void link(int child, int parent) {
-    SceneJson& children = node(parent)["children"];
+    GltfJson& children = node(parent)["children"];
     if (children.is_null()) {
-      children = SceneJson::array();
+      children = GltfJson::array();
     } else if (children.empty()) {
       filled_.insert("/nodes/" + std::to_string(parent) + "/children");
     }
@@ -81,7 +81,8 @@ class PuttingTogether {
 
   void add(const SceneSlide& slide) {
     const SlideAsRead* read = slide.as_read.get();
-    SceneJson value = read ? read->node : SceneJson::object();
+    GltfJson value = GltfJson::object();
+    if (read) value = read->is_pinned ? node(read->home) : read->node;
     value["name"] = slide.name;
     const bool is_adopted = !read || read->parent < 0;
     std::optional<TranslationRotationScale> fitted;
@@ -101,12 +102,12 @@ class PuttingTogether {
   }
 
   // The parts of a node's transform as they are written; empty where it has a matrix.
-  static std::optional<TranslationRotationScale> transform_of(const SceneJson& value) {
+  static std::optional<TranslationRotationScale> transform_of(const GltfJson& value) {
     if (find_key(value, "matrix")) return {};
     TranslationRotationScale parts = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1};
     std::size_t at = 0;
     for (const auto& [key, count] : {std::pair{"translation", 3}, std::pair{"rotation", 4}, std::pair{"scale", 3}}) {
-      const SceneJson* array = find_key(value, key);
+      const GltfJson* array = find_key(value, key);
       for (int i = 0; i < count; ++i, ++at) {
         if (array && array->is_array() && array->size() == static_cast<std::size_t>(count)) {
           parts[at] = number_in((*array)[static_cast<std::size_t>(i)]).value_or(parts[at]);
@@ -118,7 +119,7 @@ class PuttingTogether {
 
   void add(const SceneCage& cage, int mesh) {
     const CageAsRead* read = cage.as_read.get();
-    SceneJson value = read ? read->node : SceneJson::object();
+    GltfJson value = read ? read->node : GltfJson::object();
     if (!cage.name.empty()) value["name"] = cage.name;
     value["mesh"] = mesh;
     write_cage_extension(cage, cage.mesh_node, value);
@@ -137,9 +138,9 @@ class PuttingTogether {
 
   void name_extensions() {
     if (!has_slides_ && !has_cages_) return;
-    SceneJson& used = json_["extensionsUsed"];
+    GltfJson& used = json_["extensionsUsed"];
     if (used.is_null()) {
-      used = SceneJson::array();
+      used = GltfJson::array();
     } else if (used.empty()) {
       filled_.insert("/extensionsUsed");
     }
@@ -156,7 +157,7 @@ class PuttingTogether {
   const std::filesystem::path& path_;
   const SceneBase& base_;
   const SceneContent& content_;
-  SceneJson json_;
+  GltfJson json_;
   std::set<int> holes_;
   std::set<std::string> filled_;  // arrays that were there and empty
   int first_own_ = -1;
@@ -165,7 +166,7 @@ class PuttingTogether {
 
 }  // namespace
 
-SceneJson put_together(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content) {
+GltfJson put_together(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content) {
   return PuttingTogether(path, base, content).run();
 }
 

@@ -8,12 +8,12 @@
 
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_container.h"
 #include "host/file/gltf_geometry.h"
 #include "host/file/gltf_loader.h"
 #include "host/file/gltf_own_nodes.h"
 #include "host/file/mesh_writer.h"
 #include "host/scene/base64.h"
-#include "host/scene/gltf_container.h"
 #include "host/scene/scene_parts.h"
 
 namespace cagewright::host {
@@ -32,7 +32,7 @@ struct SceneDocument::State {
   std::int64_t next_id = 1;
 
   int indent() const { return !container.is_binary && container.json.find('\n') != std::string_view::npos ? 2 : -1; }
-  std::string text() const { return scene_json_text(put_together(path, base, content), indent()); }
+  std::string text() const { return gltf_json_text(put_together(path, base, content), indent()); }
   auto slide(std::int64_t id) {
     return std::find_if(content.slides.begin(), content.slides.end(), [&](const SceneSlide& s) { return s.id == id; });
   }
@@ -67,9 +67,8 @@ SceneDocument::SceneDocument(const std::filesystem::path& path, std::string byte
   s.path = path;
   s.file = std::move(bytes);
   s.container = split_gltf(path, s.file);
-  SceneJson json = parse_scene_json(path, s.container.json);
-  if (!json.is_object()) throw FileError(path, {}, "is not glTF: its JSON is no object");
-  load_gltf(path, s.file, s.model);
+  GltfJson json = parse_container_json(path, s.container);
+  load_gltf(path, s.container, json, s.model);
   TakenApart parts = take_apart(path, std::move(json), s.model);
   s.base = std::move(parts.base);
   s.content = std::move(parts.content);
@@ -89,11 +88,31 @@ SceneDocument SceneDocument::of_mesh(const std::filesystem::path& path, const Tr
   if (lower_ending(path) != ".gltf") return SceneDocument(path, std::move(glb));
   const GltfContainer container = split_gltf(path, glb);
   constexpr std::size_t chunk_header_size = 8;
-  SceneJson json = parse_scene_json(path, container.json);
+  GltfJson json = parse_gltf_json(path, container.json);
   json["buffers"][0]["uri"] =
       "data:application/octet-stream;base64," + base64(container.chunks.substr(chunk_header_size));
   json["buffers"][0]["byteLength"] = container.chunks.size() - chunk_header_size;
-  return SceneDocument(path, scene_json_text(json, 2));
+  return SceneDocument(path, gltf_json_text(json, 2));
+}
+
+SceneDocument SceneDocument::copy_as(bool is_binary) const {
+  const State& s = *state_;
+  if (s.container.is_binary == is_binary) return SceneDocument(path(), bytes());
+  GltfJson json = put_together(s.path, s.base, s.content);
+  GltfJson* buffers = find_key(json, "buffers");
+  const bool has_buffer = buffers && buffers->is_array() && !buffers->empty() && !s.model.buffers.empty();
+  std::string chunk;
+  if (has_buffer && is_binary && find_key((*buffers)[0], "uri")) {
+    const std::vector<unsigned char>& data = s.model.buffers[0].data;
+    chunk.assign(data.begin(), data.end());
+    (*buffers)[0].erase("uri");
+  } else if (has_buffer && !is_binary && !find_key((*buffers)[0], "uri")) {
+    const std::vector<unsigned char>& data = s.model.buffers[0].data;
+    const std::string_view view(reinterpret_cast<const char*>(data.data()), data.size());
+    (*buffers)[0]["uri"] = "data:application/octet-stream;base64," + base64(view);
+  }
+  if (!is_binary) return SceneDocument(path(), gltf_json_text(json, 2));
+  return SceneDocument(path(), join_gltf(path(), {true, {}, binary_chunk(chunk), {}}, gltf_json_text(json)));
 }
 
 SceneDocument::~SceneDocument() = default;
@@ -194,10 +213,10 @@ bool SceneDocument::is_changed() const { return state_->text() != state_->text_a
 std::vector<std::string> SceneDocument::external_files() const {
   std::vector<std::string> names;
   const auto add = [&](const char* array) {
-    const SceneJson* items = find_key(state_->base.json, array);
+    const GltfJson* items = find_key(state_->base.json, array);
     if (items == nullptr || !items->is_array()) return;
-    for (const SceneJson& item : *items) {
-      const SceneJson* uri = find_key(item, "uri");
+    for (const GltfJson& item : *items) {
+      const GltfJson* uri = find_key(item, "uri");
       if (uri && uri->is_string() && uri->get_ref<const std::string&>().rfind("data:", 0) != 0) {
         names.push_back(uri->get<std::string>());
       }

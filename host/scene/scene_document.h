@@ -38,6 +38,9 @@ class SceneDocument {
   SceneDocument(const std::filesystem::path& path, std::string bytes);
   // A new scene with one mesh node, as a .glb or .gltf. Positions become floats. Throws FileError.
   static SceneDocument of_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& name);
+  // The same scene, slides and cages to be written as .glb (is_binary) or .gltf: buffer 0 moves between the binary
+  // chunk and a data URI; chunks that glTF does not know do not go into a .gltf. Throws FileError.
+  SceneDocument copy_as(bool is_binary) const;
   ~SceneDocument();
   SceneDocument(SceneDocument&&) noexcept;
   SceneDocument& operator=(SceneDocument&&) noexcept;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "host/file/gltf_json.h"
 #include "host/scene/scene_content.h"
-#include "host/scene/scene_json.h"
 
 namespace tinygltf {
 class Model;
@@ -19,7 +19,7 @@ class Model;
 namespace cagewright::host {
 
 struct SlideAsRead {
-  SceneJson node;          // whole, ours included
+  GltfJson node;           // whole, ours included
   Slide::Ellipse ellipse;  // that its transform is
   int parent = -1;
   Eigen::Affine3d parent_to_mesh = Eigen::Affine3d::Identity();
@@ -28,12 +28,12 @@ struct SlideAsRead {
 };
 
 struct CageAsRead {
-  SceneJson node;
+  GltfJson node;
   int parent = -1;
   int home = -1;
-  int block = -1;                   // which of SceneBase::blocks holds its geometry, or -1
-  int mesh = -1;                    // where others use the geometry too: the mesh in the base, else -1
-  std::vector<SceneJson> geometry;  // mesh, 2 accessors, 2 buffer views, buffer: where it has neither block nor mesh
+  int block = -1;                  // which of SceneBase::blocks holds its geometry, or -1
+  int mesh = -1;                   // where others use the geometry too: the mesh in the base, else -1
+  std::vector<GltfJson> geometry;  // mesh, 2 accessors, 2 buffer views, buffer: where it has neither block nor mesh
 };
 
 // The places of a cage's geometry in the arrays of the file: another tool has put something after them.
@@ -43,7 +43,7 @@ struct CageBlock {
 
 // What is others'. Nodes of ours that have something after them have left an empty node in their place.
 struct SceneBase {
-  SceneJson json;
+  GltfJson json;
   std::set<int> holes;            // places of nodes that are ours to use
   std::vector<CageBlock> blocks;  // places of geometry that are ours to use
   std::set<std::string> keeps;    // JSON pointers of arrays that are there though empty
@@ -57,11 +57,11 @@ struct TakenApart {
 
 // `model` is the typed view of the same file. Throws FileError: nodes that form no tree, ours of wrong types, a slide
 // that is under no mesh node. O(size of the JSON).
-TakenApart take_apart(const std::filesystem::path& path, SceneJson json, const tinygltf::Model& model);
+TakenApart take_apart(const std::filesystem::path& path, GltfJson json, const tinygltf::Model& model);
 
 // The whole again: the same for the same base and content, whatever was done before. Throws FileError where a cage
 // cannot be written as floats. O(size of the JSON).
-SceneJson put_together(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content);
+GltfJson put_together(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content);
 
 }  // namespace cagewright::host
 

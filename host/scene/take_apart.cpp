@@ -30,15 +30,15 @@ bool agrees(const Eigen::Affine3d& transform, const TranslationRotationScale& fi
 
 class TakingApart {
  public:
-  TakingApart(const std::filesystem::path& path, SceneJson json, const tinygltf::Model& model)
+  TakingApart(const std::filesystem::path& path, GltfJson json, const tinygltf::Model& model)
       : path_(path), model_(model), parents_(gltf_parents(path, model)) {
     result_.base.json = std::move(json);
   }
 
   TakenApart run() {
-    SceneJson* nodes = find_key(result_.base.json, "nodes");
+    GltfJson* nodes = find_key(result_.base.json, "nodes");
     if (nodes == nullptr) return std::move(result_);
-    if (nodes->size() != model_.nodes.size()) fail("its \"nodes\" are not all objects");
+    find_named_nodes();
     for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
       const int node = static_cast<int>(i);
       if (is_cage_node(model_.nodes[i])) {
@@ -57,7 +57,7 @@ class TakingApart {
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, {}, reason); }
   void note(const std::string& sentence) { result_.notes.push_back(path_.string() + ": " + sentence); }
-  const SceneJson& node_json(int node) const {
+  const GltfJson& node_json(int node) const {
     return (*find_key(result_.base.json, "nodes"))[static_cast<std::size_t>(node)];
   }
   int parent_of(int node) const { return parents_[static_cast<std::size_t>(node)]; }
@@ -128,16 +128,27 @@ class TakingApart {
   // What others have put on, under or behind a slide's node.
   bool is_used_otherwise(int node) const {
     const tinygltf::Node& it = model_.nodes[static_cast<std::size_t>(node)];
-    if (it.mesh >= 0 || it.skin >= 0 || it.camera >= 0 || !it.children.empty()) return true;
-    for (const tinygltf::Skin& skin : model_.skins) {
-      if (skin.skeleton == node || std::count(skin.joints.begin(), skin.joints.end(), node) > 0) return true;
-    }
-    for (const tinygltf::Animation& animation : model_.animations) {
-      for (const tinygltf::AnimationChannel& channel : animation.channels) {
-        if (channel.target_node == node) return true;
-      }
-    }
-    return false;
+    return it.mesh >= 0 || it.skin >= 0 || it.camera >= 0 || !it.children.empty() || named_elsewhere_.count(node) > 0;
+  }
+
+  // The nodes that skins and animations name.
+  void find_named_nodes() {
+    const auto add = [&](const GltfJson* value) {
+      if (value && value->is_number_integer()) named_elsewhere_.insert(value->get<int>());
+    };
+    const auto each = [](const GltfJson* items, const auto& visit) {
+      if (items == nullptr || !items->is_array()) return;
+      for (const GltfJson& item : *items) visit(item);
+    };
+    each(find_key(result_.base.json, "skins"), [&](const GltfJson& skin) {
+      add(find_key(skin, "skeleton"));
+      each(find_key(skin, "joints"), [&](const GltfJson& joint) { add(&joint); });
+    });
+    each(find_key(result_.base.json, "animations"), [&](const GltfJson& animation) {
+      each(find_key(animation, "channels"), [&](const GltfJson& channel) {
+        if (const GltfJson* target = find_key(channel, "target")) add(find_key(*target, "node"));
+      });
+    });
   }
 
   // Ids and names as the scene needs them: the first node that has one keeps it.
@@ -148,7 +159,8 @@ class TakingApart {
     for (const SceneCage& cage : result_.content.cages) {
       for (const std::int64_t id : cage.slides) next = std::max(next, id + 1);
     }
-    std::set<std::pair<int, std::string>> names;
+    std::set<std::pair<int, std::string>> names, given_names;
+    for (const SceneSlide& slide : result_.content.slides) given_names.insert({slide.mesh_node, slide.name});
     for (SceneSlide& slide : result_.content.slides) {
       if (slide.id == 0 || !ids.insert(slide.id).second) {
         if (slide.id != 0)
@@ -159,11 +171,12 @@ class TakingApart {
       }
       if (slide.name.empty()) slide.name = "slide " + std::to_string(slide.id);
       const std::string given = slide.name;
-      for (int copy = 2; !names.insert({slide.mesh_node, slide.name}).second; ++copy) {
+      if (names.insert({slide.mesh_node, given}).second) continue;
+      for (int copy = 2; given_names.count({slide.mesh_node, slide.name}) > 0; ++copy) {
         slide.name = given + "." + std::to_string(copy);
       }
-      if (slide.name != given)
-        note("two slides are called " + in_quotes(given) + "; the second is now " + in_quotes(slide.name));
+      given_names.insert({slide.mesh_node, slide.name});
+      note("two slides are called " + in_quotes(given) + "; the second is now " + in_quotes(slide.name));
     }
   }
 
@@ -211,8 +224,8 @@ class TakingApart {
     for (std::size_t k = 0; k < slide_nodes_.size(); ++k) {
       if (!result_.content.slides[k].as_read->is_pinned) ours.insert(slide_nodes_[k]);
     }
-    SceneJson& json = result_.base.json;
-    SceneJson& nodes = *find_key(json, "nodes");
+    GltfJson& json = result_.base.json;
+    GltfJson& nodes = *find_key(json, "nodes");
     const bool at_the_end = ours.empty() || static_cast<std::size_t>(*ours.begin()) + ours.size() == nodes.size();
     const auto keep_home = [&](auto& owner, int node) {
       auto copy = *owner.as_read;
@@ -230,12 +243,12 @@ class TakingApart {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       remove_items(nodes[i], "children", "/nodes/" + std::to_string(i) + "/children", ours);
     }
-    if (SceneJson* scenes = find_key(json, "scenes"); scenes && scenes->is_array()) {
+    if (GltfJson* scenes = find_key(json, "scenes"); scenes && scenes->is_array()) {
       for (std::size_t i = 0; i < scenes->size(); ++i) {
         remove_items((*scenes)[i], "nodes", "/scenes/" + std::to_string(i) + "/nodes", ours);
       }
     }
-    for (const int node : ours) nodes[static_cast<std::size_t>(node)] = SceneJson::object();
+    for (const int node : ours) nodes[static_cast<std::size_t>(node)] = GltfJson::object();
     if (at_the_end) {
       nodes.erase(nodes.end() - static_cast<std::ptrdiff_t>(ours.size()), nodes.end());
     } else {
@@ -244,11 +257,11 @@ class TakingApart {
   }
 
   // Takes what is ours out of an array of node numbers; an array that only we have filled goes too.
-  void remove_items(SceneJson& object, const char* key, const std::string& pointer, const std::set<int>& ours) {
-    SceneJson* array = find_key(object, key);
+  void remove_items(GltfJson& object, const char* key, const std::string& pointer, const std::set<int>& ours) {
+    GltfJson* array = find_key(object, key);
     if (array == nullptr || !array->is_array()) return;
-    SceneJson kept = SceneJson::array();
-    for (SceneJson& item : *array) {
+    GltfJson kept = GltfJson::array();
+    for (GltfJson& item : *array) {
       if (!item.is_number_integer() || ours.count(item.get<int>()) == 0) kept.push_back(std::move(item));
     }
     const bool had_ours = kept.size() != array->size();
@@ -257,11 +270,11 @@ class TakingApart {
   }
 
   void detach_extensions_used() {
-    SceneJson& json = result_.base.json;
-    SceneJson* used = find_key(json, "extensionsUsed");
+    GltfJson& json = result_.base.json;
+    GltfJson* used = find_key(json, "extensionsUsed");
     if (used == nullptr || !used->is_array()) return;
-    SceneJson kept = SceneJson::array();
-    for (SceneJson& name : *used) {
+    GltfJson kept = GltfJson::array();
+    for (GltfJson& name : *used) {
       if (name != slide_extension && name != cage_extension) kept.push_back(std::move(name));
     }
     const bool had_ours = kept.size() != used->size();
@@ -272,13 +285,14 @@ class TakingApart {
   const std::filesystem::path& path_;
   const tinygltf::Model& model_;
   std::vector<int> parents_;
+  std::set<int> named_elsewhere_;              // nodes that skins and animations name
   std::vector<int> slide_nodes_, cage_nodes_;  // of the content's slides and cages, in order
   TakenApart result_;
 };
 
 }  // namespace
 
-TakenApart take_apart(const std::filesystem::path& path, SceneJson json, const tinygltf::Model& model) {
+TakenApart take_apart(const std::filesystem::path& path, GltfJson json, const tinygltf::Model& model) {
   return TakingApart(path, std::move(json), model).run();
 }
 

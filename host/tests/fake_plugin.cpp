@@ -221,6 +221,10 @@ cgw_status slide_info(const cgw_session* session, uint64_t index, cgw_slide_info
   out->name = session->names[index].c_str();
   out->status = session->is_solved ? CGW_OK : CGW_SLIDE_UNSOLVED;
   out->message = "";
+  if (!session->is_solved) return CGW_OK;
+  out->has_ellipse = 1;
+  out->u[0] = 2;
+  out->v[1] = out->normal[2] = 1;
   return CGW_OK;
 }
 
@@ -268,6 +272,7 @@ cgw_status get_cage(const cgw_session* session, cgw_cage* out) {
     const bool is_high = ((i / 3) >> (i % 3) & 1) != 0;
     out->vertices[i] = is_high ? session->high[i % 3] : session->low[i % 3];
   }
+  if (out->vertex_section != nullptr) std::fill_n(out->vertex_section, out->vertex_count, -1);
   if (out->triangles != nullptr) std::copy_n(box.begin(), 3 * out->triangle_count, out->triangles);
   return CGW_OK;
 }

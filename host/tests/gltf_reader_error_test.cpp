@@ -33,16 +33,17 @@ TEST(GltfReaderErrors, NameTheNodeAtFault) {
         j.erase("scene");
       },
       {"circle"});
-  expect_after([](json& j) { j["nodes"][0]["children"] = {7}; }, {"node 7", "not there"});
-  expect_after([](json& j) { j["nodes"][0]["mesh"] = 7; }, {"node 0", "mesh 7", "not there"});
-  expect_after([](json& j) { j["scene"] = 7; }, {"scene 7", "not there"});
+  expect_after([](json& j) { j["nodes"][0]["children"] = {7}; },
+               {"node 0", "\"children\" names item 7 of \"nodes\"", "only 1"});
+  expect_after([](json& j) { j["nodes"][0]["mesh"] = 7; }, {"node 0", "\"mesh\" names item 7 of \"meshes\""});
+  expect_after([](json& j) { j["scene"] = 7; }, {"\"scene\" names item 7 of \"scenes\""});
   expect_after([](json& j) { j["nodes"][0]["scale"] = {1, 2}; }, {"node 0", "scale", "3 finite numbers"});
   expect_after([](json& j) { j["nodes"][0]["matrix"] = {1, 2}; }, {"node 0", "matrix", "16 finite numbers"});
 }
 
 TEST(GltfReaderErrors, NameMeshPrimitiveAndAccessorAtFault) {
   expect_after([](json& j) { j["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 7; },
-               {"mesh 0, primitive 0", "accessor 7", "not there"});
+               {"mesh 0, primitive 0", "\"POSITION\" names item 7 of \"accessors\""});
   expect_after(
       [](json& j) {
         j["meshes"][0]["name"] = "hat";
@@ -52,13 +53,14 @@ TEST(GltfReaderErrors, NameMeshPrimitiveAndAccessorAtFault) {
   expect_after([](json& j) { j["accessors"][0]["count"] = 4; }, {"accessor 0", "does not fit"});
   expect_after([](json& j) { j["accessors"][0]["count"] = 9007199254740992; }, {"accessor 0", "does not fit"});
   expect_after([](json& j) { j["accessors"][0]["byteOffset"] = 4; }, {"accessor 0", "does not fit"});
-  expect_after([](json& j) { j["bufferViews"][0]["byteLength"] = 1000; }, {"accessor 0", "longer than its buffer"});
-  expect_after([](json& j) { j["bufferViews"][0]["byteOffset"] = 1000; }, {"accessor 0", "longer than its buffer"});
+  expect_after([](json& j) { j["bufferViews"][0]["byteLength"] = 1000; }, {"buffer view 0", "of buffer 0, which has"});
+  expect_after([](json& j) { j["bufferViews"][0]["byteOffset"] = 1000; }, {"buffer view 0", "of buffer 0, which has"});
   expect_after([](json& j) { j["bufferViews"][0]["byteStride"] = 4; }, {"accessor 0", "overlap"});
-  expect_after([](json& j) { j["bufferViews"][0]["buffer"] = 3; }, {"accessor 0", "buffer 3"});
-  expect_after([](json& j) { j["accessors"][0]["bufferView"] = 9; }, {"accessor 0", "buffer view 9"});
+  expect_after([](json& j) { j["bufferViews"][0]["buffer"] = 3; }, {"buffer view 0", "\"buffer\" names item 3"});
+  expect_after([](json& j) { j["accessors"][0]["bufferView"] = 9; }, {"accessor 0", "\"bufferView\" names item 9"});
   expect_after([](json& j) { j["accessors"][0].erase("bufferView"); }, {"accessor 0", "no buffer view"});
-  expect_after([](json& j) { j["accessors"][0]["componentType"] = 5124; }, {"accessor 0", "5124"});
+  expect_after([](json& j) { j["accessors"][0]["componentType"] = 5124; },
+               {"accessor 0", "\"componentType\" should be"});
   expect_after([](json& j) { j["accessors"][1]["componentType"] = gl_short; }, {"accessor 1", "unsigned"});
   expect_after([](json& j) { j["accessors"][1]["count"] = 2; }, {"primitive 0", "2 corners"});
   expect_after([](json& j) { j["accessors"][0]["count"] = 2; }, {"primitive 0", "index 2", "vertex 2", "2 vertices"});

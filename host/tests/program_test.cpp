@@ -39,9 +39,9 @@ TEST_F(ProgramTest, MakesACageAndAReport) {
 }
 
 TEST_F(ProgramTest, WritesTheCageInEveryFormat) {
-  for (const std::string name : {"c.obj", "c.off", "c.ply", "c.stl", "c.glb", "C.OBJ"}) {
+  for (const std::string name : {"c.obj", "c.off", "c.ply", "c.stl", "c.glb", "c.gltf", "C.OBJ"}) {
     EXPECT_EQ(cage({"-o", at(name)}).exit_code, 0);
-    EXPECT_EQ(read_mesh(at(name)).mesh.triangle_count(), 12u) << name;
+    EXPECT_EQ(read_mesh(at(name), MeshRole::cage).mesh.triangle_count(), 12u) << name;
   }
 }
 
