@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/enclose/triangle_intersection.h"
 #include "core/mesh/types.h"
 
 namespace cagewright {
@@ -25,6 +26,9 @@ class BoxTree {
 
   // Calls `visit` with the triangles whose boxes meet `box` until it returns true. In no order that means anything.
   void visit(const Box3& box, const std::function<bool(int triangle)>& visit) const;
+  // The same with the triangles whose boxes come within `distance` (>= 0) of the box of `t` and, but for rounding, of
+  // its plane: all that are within that distance of t, and few others.
+  void visit_near(const Triangle3& t, double distance, const std::function<bool(int triangle)>& visit) const;
 
  private:
   struct Tree;
