@@ -2,6 +2,7 @@
 #include "core/enclose/movable_cage.h"
 
 #include "core/enclose/triangle_distance.h"
+#include "core/mesh/tolerance.h"
 
 namespace cagewright {
 namespace {
@@ -20,16 +21,28 @@ MovableCage::MovableCage(const Segmentation& segmentation, const Cage& cage, dou
       tree_(segmentation.cut),
       mesh_{cage.points, cage.triangles},
       incident_(static_cast<std::size_t>(cage.points.rows())),
-      beside_(segmentation.parts.size(), std::vector<bool>(segmentation.parts.size(), false)),
+      part_beyond_(segmentation.triangle_part.size(), -1),
       last_hit_(static_cast<std::size_t>(cage.triangles.rows()), -1) {
   for (int t = 0; t < triangle_count(); ++t)
     for (int i = 0; i < 3; ++i) incident_[static_cast<std::size_t>(mesh_.triangles(t, i))].push_back(t);
-  for (std::size_t p = 0; p < beside_.size(); ++p) beside_[p][p] = true;
-  for (const auto& [behind, ahead] : segmentation.slide_parts) {
-    beside_[static_cast<std::size_t>(behind)][static_cast<std::size_t>(ahead)] = true;
-    beside_[static_cast<std::size_t>(ahead)][static_cast<std::size_t>(behind)] = true;
-  }
+  find_parts_beyond();
   place_all(cage.points);
+}
+
+void MovableCage::find_parts_beyond() {
+  for (std::size_t k = 0; k < part_beyond_.size(); ++k) {
+    const auto part = static_cast<std::size_t>(segmentation_.triangle_part[k]);
+    const Triangle3 corners = triangle_of(segmentation_.cut, static_cast<Eigen::Index>(k));
+    const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+    double nearest = tolerance::near_slide;
+    for (const PartSection& side : segmentation_.parts[part].sections) {
+      const Ellipse& slide = segmentation_.ellipses[static_cast<std::size_t>(side.slide)];
+      const double distance = (middle - slide.center).norm() / slide.u.norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      part_beyond_[k] = segmentation_.slide_parts[static_cast<std::size_t>(side.slide)][side.outward ? 1 : 0];
+    }
+  }
 }
 
 Triangle3 MovableCage::triangle(int t) const { return triangle_of(mesh_, t); }
@@ -81,9 +94,10 @@ bool MovableCage::runs_into(const Triangle3& model_triangle, const Triangle3& ca
 
 bool MovableCage::is_asked(int t, int model_triangle, Whose whose) const {
   if (whose == Whose::any) return true;
-  const auto wall_part = static_cast<std::size_t>(cage_.triangle_part[static_cast<std::size_t>(t)]);
-  const auto part = static_cast<std::size_t>(segmentation_.triangle_part[static_cast<std::size_t>(model_triangle)]);
-  return beside_[wall_part][part] == (whose == Whose::own);
+  const int wall_part = cage_.triangle_part[static_cast<std::size_t>(t)];
+  const auto k = static_cast<std::size_t>(model_triangle);
+  const bool is_own = segmentation_.triangle_part[k] == wall_part || part_beyond_[k] == wall_part;
+  return is_own == (whose == Whose::own);
 }
 
 void MovableCage::visit_hits(int t, Whose whose, const std::function<bool(const Triangle3& hit)>& visit) const {

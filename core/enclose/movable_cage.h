@@ -11,8 +11,8 @@ namespace cagewright {
 
 // A cage whose vertices are moved one at a time, and what its triangles run into: the model's triangles and each other.
 // The tests are those of the certificate; with a clearance, being nearer than that counts too (in floating point).
-// A triangle's own model is that of its part and of the parts beside it: it has to bound those, and only to keep clear
-// of the others. Borrows all that it is made of but the points. One thread at a time.
+// A triangle's own model is that of its part, and near a slide also that of the part beyond: it has to bound those, and
+// only to keep clear of the rest. Borrows all that it is made of but the points. One thread at a time.
 class MovableCage {
  public:
   // `clearance` >= 0, model units. The model is segmentation.cut, the cut model. O(n log n).
@@ -40,6 +40,7 @@ class MovableCage {
   bool hits_cage(int t) const;
 
  private:
+  void find_parts_beyond();
   bool runs_into(const Triangle3& model_triangle, const Triangle3& cage_triangle) const;
   bool is_asked(int t, int model_triangle, Whose whose) const;
 
@@ -50,7 +51,7 @@ class MovableCage {
   IndexedMesh mesh_;
   std::vector<Box3> boxes_;                 // of the cage's triangles
   std::vector<std::vector<int>> incident_;  // triangles at each vertex
-  std::vector<std::vector<bool>> beside_;   // part by part: the same, or a slide between them
+  std::vector<int> part_beyond_;            // of each model triangle near a slide: the part on its other side, else -1
   mutable std::vector<int> last_hit_;       // of each cage triangle: most often the next one too, or -1
 };
 

@@ -21,11 +21,12 @@ inline constexpr double on_plane = 1e-9;  // a vertex this near to a slide's pla
 inline constexpr double smallest_anchor_distance = 1e-6;  // bounds the weights of (8)
 inline constexpr double convergence = 1e-3;               // equation (9)
 inline constexpr double flip_gain = 1e-9;                 // radians by which an edge flip must smooth the cage
-inline constexpr double push_margin = 1e-4;               // by which a push clears the model; over the diagonal
-inline constexpr double first_tightening_step = 4e-3;     // of a vertex; over the diagonal
-inline constexpr double least_tightening_step = 1e-5;     // shorter ones are not tried; over the diagonal
-inline constexpr double least_slide = 0.05;               // share of a step that has to be left along its contacts
-inline constexpr double least_tightening = 2e-4;          // of the volume, by one sweep; less ends it
-inline constexpr double diverged = 10.0;  // a cage vertex farther than this from the model's box has flown
+inline constexpr double near_slide = 2.0;    // from its centre over its long radius: both sides bound what is so near
+inline constexpr double push_margin = 1e-4;  // by which a push clears the model; over the diagonal
+inline constexpr double first_tightening_step = 4e-3;  // of a vertex; over the diagonal
+inline constexpr double least_tightening_step = 1e-5;  // shorter ones are not tried; over the diagonal
+inline constexpr double least_slide = 0.05;            // share of a step that has to be left along its contacts
+inline constexpr double least_tightening = 2e-4;       // of the volume, by one sweep; less ends it
+inline constexpr double diverged = 10.0;               // a cage vertex farther than this from the model's box has flown
 
 }  // namespace cagewright::tolerance
