@@ -34,7 +34,9 @@ function(cagewright_target name)
   endif()
   if(CAGEWRIGHT_SANITIZE)
     list(JOIN CAGEWRIGHT_SANITIZE "," sanitizers)
-    target_compile_options(${name} PRIVATE -fsanitize=${sanitizers} -fno-omit-frame-pointer)
+    # g++ 12 takes what the sanitizers add for uninitialised input, in the standard library's own code too.
+    target_compile_options(${name} PRIVATE -fsanitize=${sanitizers} -fno-omit-frame-pointer
+                           -Wno-maybe-uninitialized)
     target_link_options(${name} PRIVATE -fsanitize=${sanitizers})
   endif()
 endfunction()

@@ -21,6 +21,7 @@
 #include "host/file/atomic_file.h"
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_uri.h"
 #include "host/file/mesh_writer.h"
 #include "host/plugin_client/find_plugin.h"
 #include "host/view/picture.h"
@@ -29,6 +30,14 @@ namespace cagewright::host {
 namespace {
 
 bool is_output_name(const std::filesystem::path& path) { return is_scene_name(path) || is_writable_mesh_name(path); }
+
+std::vector<std::filesystem::path> outputs_of(const CageCommand& command) {
+  std::vector<std::filesystem::path> outputs;
+  for (const OptionalPath* output : {&command.out, &command.report, &command.picture}) {
+    if (*output) outputs.push_back(**output);
+  }
+  return outputs;
+}
 
 // All that can be known to fail before the work begins.
 void check_outputs(const CageCommand& command) {
@@ -39,14 +48,12 @@ void check_outputs(const CageCommand& command) {
   if (command.picture && lower_ending(*command.picture) != ".png") {
     throw UsageError("--picture " + command.picture->string() + ": a picture is written as .png");
   }
-  std::vector<std::filesystem::path> inputs, outputs;
+  std::vector<std::filesystem::path> inputs;
+  const std::vector<std::filesystem::path> outputs = outputs_of(command);
   // A scene may take the place of the one that was read: nothing of it is lost.
   const bool is_scene_to_scene = command.out && is_scene_name(command.model) && is_scene_name(*command.out);
   if (!is_scene_to_scene || !same_file(command.model, *command.out)) inputs.push_back(command.model);
   if (command.slides) inputs.push_back(*command.slides);
-  for (const OptionalPath* output : {&command.out, &command.report, &command.picture}) {
-    if (*output) outputs.push_back(**output);
-  }
   require_distinct(inputs, outputs);
   for (const std::filesystem::path& output : outputs) require_writable(output);
   if (command.picture) require_display();
@@ -63,6 +70,7 @@ class CageRun {
     input_ = read_cage_input(command_);
     for (const std::string& note : input_.notes) progress_.note(note);
     require_one_target();
+    require_scene_kept();
     const double read_ms = total_.milliseconds();
     for (const CageTarget& target : input_.targets)
       solved_.push_back(solve_cage(command_, plugin_, target, listener()));
@@ -82,6 +90,16 @@ class CageRun {
       return !was_interrupted();
     };
     return listener;
+  }
+
+  // No output takes the place of a file that the scene names.
+  void require_scene_kept() const {
+    if (!input_.scene) return;
+    std::vector<std::filesystem::path> named;
+    for (const std::string& uri : input_.scene->external_files()) {
+      if (const auto name = relative_path(uri)) named.push_back(command_.model.parent_path() / *name);
+    }
+    require_distinct(named, outputs_of(command_));
   }
 
   // A cage alone, and a picture, show one model.

@@ -43,7 +43,9 @@ int exit_code_of(PictureFault fault) { return fault == PictureFault::no_display 
 int main(int argc, char** argv) {
   try {
     end_on_interrupts();
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like a full disk, with files to clear away
+    // A reader that has gone and a limit on the size of files are errors like a full disk, with files to clear away.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     const int exit_code = std::visit(Run{}, parse_command_line(argc, argv));
     flush_standard_output();
     return exit_code;

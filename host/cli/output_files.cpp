@@ -40,6 +40,9 @@ void flush_standard_output() {
 
 void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
                  const std::function<void()>& sum_up) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& [path, bytes] : files) paths.push_back(path);
+  require_distinct({}, paths);
   const HeededInterrupts heeded;
   std::vector<AtomicFile> outputs;
   for (const auto& [path, bytes] : files) outputs.emplace_back(path, bytes);

@@ -2,7 +2,6 @@
 #include "host/cli/scene_output.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 
 #include "host/cli/input_error.h"
@@ -45,11 +44,9 @@ SceneCage scene_cage(const SceneDocument& scene, const SolvedCage& solved, const
   for (const Parameter& parameter : plugin.parameters()) {
     cage.parameters.emplace_back(parameter.id, solved.session->parameter(parameter.id));
   }
-  std::map<std::string, std::int64_t> ids;
-  for (const SceneSlide& slide : scene.slides()) {
-    if (slide.mesh_node == node) ids[slide.name] = slide.id;
+  for (const SceneSlide& slide : scene.slides()) {  // in the session's order
+    if (slide.mesh_node == node) cage.slides.push_back(slide.id);
   }
-  for (const SlideInfo& slide : solved.session->slides()) cage.slides.push_back(ids.at(slide.name));
   cage.sections = solved.session->vertex_sections();
   cage.certificate = certificate_text(solved.report.certificate);
   return cage;

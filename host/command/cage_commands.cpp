@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "host/command/utf8.h"
+#include "host/file/file_error.h"
 
 namespace cagewright::host {
 namespace {
@@ -12,6 +16,46 @@ namespace {
 std::optional<SceneCage> cage_of(const SceneDocument& document, int mesh_node) {
   const SceneCage* cage = document.find_cage(mesh_node);
   return cage ? std::optional(*cage) : std::nullopt;
+}
+
+void check_geometry(const SceneCage& cage, const std::string& what) {
+  const TriangleMesh& mesh = cage.mesh;
+  if (mesh.triangles.empty()) throw CommandError(what + " has no triangles");
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (std::abs(mesh.points[i]) <= double{std::numeric_limits<float>::max()}) continue;
+    throw CommandError(what + ": vertex " + std::to_string(i / 3) +
+                       " is too far out for glTF's floats: scale the model down");
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (mesh.triangles[i] < mesh.vertex_count()) continue;
+    throw CommandError(what + ": triangle " + std::to_string(i / 3) + " names vertex " +
+                       std::to_string(mesh.triangles[i]) + " of " + std::to_string(mesh.vertex_count()));
+  }
+}
+
+// What a file holds beside the geometry.
+void check_notes(const SceneCage& cage, const std::string& what) {
+  if (!is_utf8(cage.name)) throw CommandError(what + ": its name " + in_quotes(cage.name) + " is not UTF-8");
+  for (const auto& [id, value] : cage.parameters) {
+    if (!std::isfinite(value)) {
+      throw CommandError(what + ": the parameter " + in_quotes(id) + " is not finite: give it a finite value");
+    }
+  }
+  if (std::any_of(cage.slides.begin(), cage.slides.end(), [](std::int64_t id) { return id < 1; })) {
+    throw CommandError(what + " names a slide without an id");
+  }
+  if (!cage.sections.empty() && cage.sections.size() != cage.mesh.vertex_count()) {
+    throw CommandError(what + " has " + counted(cage.mesh.vertex_count(), "vertex") + ", and sections for " +
+                       std::to_string(cage.sections.size()));
+  }
+  for (std::size_t i = 0; i < cage.sections.size(); ++i) {
+    if (cage.sections[i] >= -1 && cage.sections[i] < static_cast<int>(cage.slides.size())) continue;
+    throw CommandError(what + ": vertex " + std::to_string(i) + " is in section " + std::to_string(cage.sections[i]) +
+                       " of " + std::to_string(cage.slides.size()));
+  }
+  if (!cage.certificate.empty() && !nlohmann::json::accept(cage.certificate)) {
+    throw CommandError(what + ": its certificate is not JSON");
+  }
 }
 
 }  // namespace
@@ -25,12 +69,8 @@ void SetCage::doIt(SceneDocument& document) {
   if (std::none_of(nodes.begin(), nodes.end(), is_it)) {
     throw CommandError(node + " has no mesh for a cage: choose one that has");
   }
-  if (cage_.mesh.triangles.empty()) throw CommandError("the cage of " + node + " has no triangles");
-  for (std::size_t i = 0; i < cage_.mesh.points.size(); ++i) {
-    if (std::abs(cage_.mesh.points[i]) <= double{std::numeric_limits<float>::max()}) continue;
-    throw CommandError("the cage of " + node + ": vertex " + std::to_string(i / 3) +
-                       " is too far out for glTF's floats: scale the model down");
-  }
+  check_geometry(cage_, "the cage of " + node);
+  check_notes(cage_, "the cage of " + node);
   before_ = cage_of(document, cage_.mesh_node);
   redoIt(document);
 }

@@ -8,8 +8,9 @@
 
 namespace cagewright::host {
 
-// The cage of a mesh node, in the place of the one it had. doIt throws CommandError: no such mesh node; the cage has no
-// triangles, or positions beyond a float, which a file could not hold.
+// The cage of a mesh node, in the place of the one it had. doIt throws CommandError where a file could not hold it: no
+// such mesh node; no triangles, or one whose vertex is not there; positions beyond a float; a name that is no UTF-8; a
+// parameter that is not finite; sections of other vertices or slides than there are; a certificate that is not JSON.
 class SetCage : public Command {
  public:
   explicit SetCage(SceneCage cage);

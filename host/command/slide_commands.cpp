@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host/command/utf8.h"
 #include "host/file/file_error.h"
 
 namespace cagewright::host {
@@ -18,6 +19,7 @@ const SceneSlide& slide_of(const SceneDocument& document, std::int64_t id) {
 
 void check_name(const SceneDocument& document, int mesh_node, const std::string& name, std::int64_t except) {
   if (name.empty()) throw CommandError("a slide needs a name");
+  if (!is_utf8(name)) throw CommandError("the slide name " + in_quotes(name) + " is not UTF-8: choose another name");
   const auto taken = [&](const SceneSlide& slide) {
     return slide.mesh_node == mesh_node && slide.id != except && slide.name == name;
   };
@@ -39,6 +41,14 @@ void check_ellipse(const std::string& name, const Slide::Ellipse& e) {
   }
 }
 
+void check_stroke(const std::string& name, const std::vector<Point3>& stroke) {
+  for (std::size_t i = 0; i < stroke.size(); ++i) {
+    if (std::all_of(stroke[i].begin(), stroke[i].end(), [](double value) { return std::isfinite(value); })) continue;
+    throw CommandError("slide " + in_quotes(name) + ": point " + std::to_string(i) +
+                       " of its stroke is not finite: draw it again");
+  }
+}
+
 }  // namespace
 
 AddSlide::AddSlide(int mesh_node, std::string name, const Slide::Ellipse& ellipse, std::vector<Point3> stroke) {
@@ -56,6 +66,7 @@ void AddSlide::doIt(SceneDocument& document) {
   }
   check_name(document, slide_.mesh_node, slide_.name, 0);
   check_ellipse(slide_.name, slide_.ellipse);
+  check_stroke(slide_.name, slide_.stroke);
   slide_.id = document.new_slide_id();
   redoIt(document);
 }
@@ -68,6 +79,7 @@ std::string ChangeSlide::label() const { return "change slide " + in_quotes(befo
 void ChangeSlide::doIt(SceneDocument& document) {
   before_ = slide_of(document, id_);
   check_ellipse(before_.name, ellipse_);
+  check_stroke(before_.name, stroke_);
   redoIt(document);
 }
 void ChangeSlide::undoIt(SceneDocument& document) { document.replace_slide(before_); }

@@ -8,8 +8,8 @@
 
 namespace cagewright::host {
 
-// A new slide under a mesh node. doIt throws CommandError: no such mesh node; the name is empty or taken there; the
-// ellipse is not finite or its radii span no plane.
+// A new slide under a mesh node. doIt throws CommandError: no such mesh node; the name is empty, no UTF-8 or taken
+// there; the ellipse is not finite or its radii span no plane; the stroke is not finite.
 class AddSlide : public Command {
  public:
   AddSlide(int mesh_node, std::string name, const Slide::Ellipse& ellipse, std::vector<Point3> stroke = {});
@@ -26,7 +26,7 @@ class AddSlide : public Command {
 };
 
 // A slide's ellipse is another one; with the stroke that it was fitted to, or without. doIt throws CommandError: no
-// such slide; an ellipse as above.
+// such slide; an ellipse or a stroke as above.
 class ChangeSlide : public Command {
  public:
   ChangeSlide(std::int64_t id, const Slide::Ellipse& ellipse, std::vector<Point3> stroke = {});
@@ -42,7 +42,7 @@ class ChangeSlide : public Command {
   SceneSlide before_;
 };
 
-// doIt throws CommandError: no such slide; a name that is empty or taken.
+// doIt throws CommandError: no such slide; a name as above.
 class RenameSlide : public Command {
  public:
   RenameSlide(std::int64_t id, std::string name);

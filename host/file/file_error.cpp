@@ -33,7 +33,7 @@ std::string counted(std::size_t count, std::string_view noun) {
   result += noun;
   if (count == 1) return result;
   if (noun.ends_with("vertex")) return result.replace(result.size() - 2, 2, "ices");
-  return result + "s";
+  return result + (noun.ends_with("sh") ? "es" : "s");
 }
 
 }  // namespace cagewright::host

@@ -39,7 +39,7 @@ class FileError : public std::runtime_error {
 // A piece of a file as sentences quote it: in double quotes, at most 40 bytes, control and non-ASCII bytes as '?'.
 std::string in_quotes(std::string_view text);
 
-// "1 triangle", "2 triangles".
+// "1 triangle", "2 triangles", "2 vertices", "2 meshes".
 std::string counted(std::size_t count, std::string_view noun);
 
 }  // namespace cagewright::host

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -26,7 +27,9 @@ class AccessorReader {
 
   const tinygltf::Accessor& accessor() const { return accessor_; }
 
-  [[noreturn]] void fail(const std::string& reason) const { throw std::runtime_error(name_ + " " + reason); }
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw std::runtime_error(name_ + " " + reason + "; export it again");
+  }
 
   // count x components, sparse values in place.
   std::vector<double> read() const {
@@ -37,7 +40,7 @@ class AccessorReader {
       values.resize(accessor_.count * width);
       for (std::size_t i = 0; i < accessor_.count; ++i) copy_row(rows.first + i * rows.stride, &values[i * width]);
     } else {
-      if (!accessor_.sparse.isSparse) fail("has no buffer view; it may need an extension that is not supported");
+      if (!accessor_.sparse.isSparse) fail("has no buffer view; it may need an extension that cannot be read");
       if (accessor_.count > most_zeros) fail("promises too many values");
       values.assign(accessor_.count * width, 0.0);
     }
@@ -47,7 +50,7 @@ class AccessorReader {
 
  private:
   // A sparse accessor without a buffer view costs no bytes in the file, so its count is no sign of its truth.
-  static constexpr std::size_t most_zeros = std::size_t{1} << 28;
+  static constexpr std::size_t most_zeros = std::size_t{1} << 24;
 
   const tinygltf::Accessor& find(int index) const {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) fail("is not there");
@@ -141,9 +144,12 @@ class AccessorReader {
                                  component_size(index_type));
     const Rows rows = rows_of(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
                               width * component_size());
+    std::optional<std::size_t> before;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t row = sparse_index(indices.first + i * indices.stride, index_type);
       if (row >= accessor_.count) fail("has the sparse index " + std::to_string(row) + ", out of range");
+      if (before && row <= *before) fail("has sparse indices that do not rise");
+      before = row;
       copy_row(rows.first + i * rows.stride, &values[row * width]);
     }
   }

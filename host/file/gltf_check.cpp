@@ -17,7 +17,7 @@ class Checker {
   Checker(const std::filesystem::path& path, const GltfJson& json) : path_(path), json_(json) {}
 
   void run() const {
-    if (!json_.is_object()) fail("is not glTF: its JSON is no object");
+    if (!json_.is_object()) fail("is not glTF: the root of its JSON is no object");
     check_asset();
     for (const char* key : {"extensionsUsed", "extensionsRequired"}) check_strings(key);
     for (const char* key :
@@ -45,7 +45,7 @@ class Checker {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, {}, reason); }
+  [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, {}, reason + "; export it again"); }
   [[noreturn]] void fail(const std::string& at, const char* key, const std::string& wanted) const {
     fail(at + (at.empty() ? "its " : ": its ") + in_quotes(key) + " should be " + wanted);
   }
@@ -53,15 +53,23 @@ class Checker {
   void check_asset() const {
     const GltfJson* asset = find_key(json_, "asset");
     const GltfJson* version = asset ? find_key(*asset, "version") : nullptr;
-    if (version == nullptr || !version->is_string()) fail("is not glTF: it has no \"asset\" with a \"version\"");
+    if (version == nullptr || !version->is_string())
+      fail("is not glTF: it has no \"asset\" with a \"version\", a string");
     for (const char* key : {"version", "minVersion"}) {
       const GltfJson* given = find_key(*asset, key);
       if (given == nullptr) continue;
       if (!given->is_string()) fail("asset", key, "a string");
       const std::string& text = given->get_ref<const std::string&>();
       if (!text.starts_with("2.") && text != "2") {
-        fail("is glTF of version " + in_quotes(text) + "; only 2.0 can be read");
+        throw FileError(path_, {},
+                        "is glTF of version " + in_quotes(text) + "; only 2.0 can be read: export it as that");
       }
+    }
+    const GltfJson* needed = find_key(*asset, "minVersion");
+    if (needed && *needed != "2.0" && *needed != "2") {
+      throw FileError(path_, {},
+                      "needs a reader of glTF " + in_quotes(needed->get<std::string>()) +
+                          "; only 2.0 can be read: export it as that");
     }
   }
 
@@ -125,13 +133,13 @@ class Checker {
     if (!is_good) fail(at, key, std::to_string(count) + " finite numbers");
   }
 
-  // A size or an offset: not negative, and no larger than a file can be.
-  std::uint64_t whole(const std::string& at, const GltfJson& object, const char* key) const {
-    constexpr std::uint64_t largest = std::uint64_t{1} << 53;
+  // A size or an offset.
+  std::uint64_t whole(const std::string& at, const GltfJson& object, const char* key,
+                      std::uint64_t largest = std::uint64_t{1} << 53) const {
     const GltfJson* value = find_key(object, key);
     if (value == nullptr) return 0;
     if (!value->is_number_unsigned() || value->get<std::uint64_t>() > largest) {
-      fail(at, key, "a whole number that is not negative");
+      fail(at, key, "a whole number from 0 to " + std::to_string(largest));
     }
     return value->get<std::uint64_t>();
   }
@@ -207,19 +215,21 @@ class Checker {
         is_normalized && !is_normalized->is_boolean()) {
       fail(at, "normalized", "true or false");
     }
-    if (const GltfJson* sparse = object_in(at, accessor, "sparse")) check_sparse(at, *sparse);
+    const std::uint64_t count = find_key(accessor, "count")->get<std::uint64_t>();
+    if (const GltfJson* sparse = object_in(at, accessor, "sparse")) check_sparse(at, *sparse, count);
   }
 
-  void check_sparse(const std::string& at, const GltfJson& sparse) const {
+  void check_sparse(const std::string& at, const GltfJson& sparse, std::uint64_t most) const {
+    constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();  // that tinygltf can hold
     required(at + ", sparse", sparse, "count");
-    whole(at + ", sparse", sparse, "count");
+    whole(at + ", sparse", sparse, "count", std::min(most, largest));
     for (const char* key : {"indices", "values"}) {
       const std::string here = at + ", sparse " + key;
       const GltfJson* part = object_in(at + ", sparse", sparse, key);
       if (part == nullptr) fail(at + ", sparse: it has no " + in_quotes(key));
       required(here, *part, "bufferView");
       index(here, *part, "bufferView", "bufferViews");
-      whole(here, *part, "byteOffset");
+      whole(here, *part, "byteOffset", largest);
       if (key == std::string_view("indices")) component_type(here, *part);
     }
   }
@@ -229,7 +239,8 @@ class Checker {
     index(at, view, "buffer", "buffers");
     required(at, view, "byteLength");
     const std::uint64_t end = whole(at, view, "byteOffset") + whole(at, view, "byteLength");
-    whole(at, view, "byteStride");
+    const std::uint64_t stride = whole(at, view, "byteStride");
+    if (stride % 4 != 0 || stride > 252) fail(at, "byteStride", "4 to 252 and a multiple of 4");
     const auto buffer = find_key(view, "buffer")->get<std::size_t>();
     const auto length = find_key((*find_key(json_, "buffers"))[buffer], "byteLength")->get<std::uint64_t>();
     if (end > length) {

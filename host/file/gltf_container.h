@@ -15,14 +15,16 @@ struct GltfContainer {
   bool is_binary = false;
   std::string_view json;
   std::string_view chunks;    // binary: every chunk after the JSON, with its header
+  std::string_view binary;    // what the first of them holds where it is the binary chunk; else data() is null
   std::string_view trailing;  // binary: what comes after the length that the header says; nobody's, and kept
 };
 
 // The JSON of a container, with places in the file where it is binary. Throws FileError.
 GltfJson parse_container_json(const std::filesystem::path& path, const GltfContainer& container);
 
-// Throws FileError: cut short, of another version than 2, chunk lengths that are no multiples of 4 or reach beyond the
-// file, a first chunk that is not JSON. A file that does not begin with "glTF" is all JSON.
+// Throws FileError: empty, cut short, of another version than 2, chunk lengths that are no multiples of 4 or reach
+// beyond the file, a first chunk that is not JSON. A file that does not begin with "glTF" is all JSON, but a .glb has
+// to.
 GltfContainer split_gltf(const std::filesystem::path& path, std::string_view bytes);
 
 // The file with other JSON. Throws FileError where it would be longer than 4 GiB.

@@ -86,12 +86,14 @@ class GeometryReader {
       for (std::size_t i = 0; i < vertices; ++i) indices.push_back(static_cast<std::uint32_t>(i));
     }
     if (primitive.mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0) {
-      throw std::runtime_error("its triangles have " + counted(indices.size(), "corner") + ", not a multiple of 3");
+      throw std::runtime_error("its triangles have " + counted(indices.size(), "corner") +
+                               ", not a multiple of 3; export it again");
     }
     for (std::size_t i = 0; i < indices.size(); ++i) {
       if (indices[i] < vertices) continue;
       throw std::runtime_error("index " + std::to_string(i) + " names vertex " + std::to_string(indices[i]) +
-                               ", but there are only " + counted(vertices, "vertex") + " (both count from 0)");
+                               ", but there are only " + counted(vertices, "vertex") +
+                               " (both count from 0); export it again");
     }
     for (const std::uint32_t vertex : assemble(indices, primitive.mode)) {
       mesh.triangles.push_back(entry->second + vertex);
@@ -110,7 +112,7 @@ class GeometryReader {
     const std::vector<double> positions = read_positions(model_, accessor);
     for (std::size_t i = 0; i < positions.size(); ++i) {
       if (!std::isfinite(positions[i])) {
-        throw std::runtime_error("the position of vertex " + std::to_string(i / 3) + " is not finite");
+        throw std::runtime_error("the position of vertex " + std::to_string(i / 3) + " is not finite; export it again");
       }
     }
     mesh.points.insert(mesh.points.end(), positions.begin(), positions.end());

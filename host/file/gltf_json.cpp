@@ -25,11 +25,12 @@ class Builder : public nlohmann::json_sax<GltfJson> {
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
-  bool number_integer(number_integer_t value) override { return add(value); }
+  // The parser gives whole numbers with a sign here, so a zero is -0.
+  bool number_integer(number_integer_t value) override { return value == 0 ? add_text("-0") : add(value); }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t& text) override {
     if (GltfJson(value).dump() == text) return add(value);
-    return add(GltfJson::binary(std::vector<std::uint8_t>(text.begin(), text.end())));
+    return add_text(text);
   }
   bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t&) override { return false; }  // JSON text has none
@@ -39,7 +40,7 @@ class Builder : public nlohmann::json_sax<GltfJson> {
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
     if (!open_.back().keys.insert(value).second) {
-      throw FileError(path_, {}, "has the key " + in_quotes(value) + " twice in one object of its JSON");
+      throw FileError(path_, {}, "has the key " + in_quotes(value) + " twice in one object of its JSON; take one out");
     }
     open_.back().key = std::move(value);
     return true;
@@ -49,7 +50,7 @@ class Builder : public nlohmann::json_sax<GltfJson> {
     if (error.id == 406) {  // out of range
       const std::size_t begin = at >= token.size() ? text_.rfind(token, at) : 0;
       fail_at(begin == text_.npos ? at : begin,
-              "its JSON holds a number beyond the range of doubles: " + in_quotes(token));
+              "its JSON holds a number beyond the range of doubles: " + in_quotes(token) + "; export it again");
     }
     if (at == text_.size()) fail_at(at, "its JSON ends in the middle; export it again");
     const std::string_view rest = text_.substr(at, text_.substr(at, 20).find_first_of("\r\n"));
@@ -82,8 +83,13 @@ class Builder : public nlohmann::json_sax<GltfJson> {
     }
     return true;
   }
+  bool add_text(std::string_view number) {
+    return add(GltfJson::binary(std::vector<std::uint8_t>(number.begin(), number.end())));
+  }
   bool open(GltfJson value) {
-    if (open_.size() == deepest) throw FileError(path_, {}, "its JSON is nested too deeply");
+    if (open_.size() == deepest) {
+      throw FileError(path_, {}, "its JSON is nested too deeply; " + std::to_string(deepest) + " levels can be read");
+    }
     open_.push_back({std::move(value), {}, {}});
     return true;
   }
@@ -168,7 +174,7 @@ std::optional<double> number_in(const GltfJson& json) {
   const auto [end, error] = std::from_chars(begin, begin + kept.size(), value);
   if (end != begin + kept.size() || !std::isfinite(value)) return {};
   // Of numbers too small for a double from_chars says that they are out of range, and the nearest is zero.
-  return error == std::errc() ? value : 0.0;
+  return error == std::errc() ? value : std::copysign(0.0, *begin == '-' ? -1.0 : 1.0);
 }
 
 const GltfJson* find_key(const GltfJson& json, std::string_view key) {

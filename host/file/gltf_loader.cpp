@@ -6,10 +6,11 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_buffers.h"
 #include "host/file/gltf_check.h"
 #include "host/file/gltf_own_nodes.h"
 
@@ -57,9 +58,9 @@ GltfJson mesh_view(const GltfJson& mesh) {
   return kept;
 }
 
-// What we read of the file, so that tinygltf stumbles over nothing else. Precondition: check_gltf has passed.
+// What tinygltf reads for us, so that it stumbles over nothing else. Precondition: check_gltf has passed.
 GltfJson view_of(const GltfJson& json) {
-  GltfJson kept = only(json, {"asset", "scene", "accessors", "bufferViews", "buffers"});
+  GltfJson kept = only(json, {"asset", "scene", "accessors", "bufferViews"});
   const auto each = [&](const char* array, auto view) {
     const GltfJson* items = find_key(json, array);
     if (items == nullptr) return;
@@ -82,34 +83,6 @@ std::string first_line(const std::string& text) {
     if (c < ' ' || c > '~') c = '?';
   }
   return line.size() > 200 ? line.substr(0, 200) + "..." : line;
-}
-
-// What the callbacks below know of the file.
-struct Surroundings {
-  std::string folder;        // absolute
-  std::string missing_file;  // the last that was looked for there in vain
-};
-
-// Buffers are read through these, so that only files beside the .gltf are, and without asking a shell about "~".
-bool is_there(const std::string& path, void* user) {
-  auto& surroundings = *static_cast<Surroundings*>(user);
-  if (!path.starts_with(surroundings.folder)) return false;
-  std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) return true;
-  surroundings.missing_file = path.substr(surroundings.folder.size());
-  surroundings.missing_file.erase(0, surroundings.missing_file.find_first_not_of('/'));
-  return false;
-}
-
-bool read_whole(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
-  try {
-    const std::string bytes = read_bytes(path);
-    out->assign(bytes.begin(), bytes.end());
-    return true;
-  } catch (const FileError& failure) {
-    *error = failure.reason();
-    return false;
-  }
 }
 
 bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
@@ -139,35 +112,25 @@ void load_gltf(const std::filesystem::path& path, const GltfContainer& container
                tinygltf::Model& model) {
   check_gltf(path, json);
   refuse_compression(path, json);
-  const std::string view =
-      join_gltf(path, {container.is_binary, {}, container.chunks, {}}, gltf_json_text(view_of(json)));
-  if (view.size() > std::numeric_limits<std::uint32_t>::max()) throw FileError(path, {}, "is longer than 4 GiB");
-  const auto size = static_cast<unsigned int>(view.size());
-
-  Surroundings surroundings{std::filesystem::absolute(path).parent_path().string(), {}};
+  const std::string view = gltf_json_text(view_of(json));
+  if (view.size() > std::numeric_limits<unsigned int>::max()) throw FileError(path, {}, "has more than 4 GiB of JSON");
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(skip_image, nullptr);
-  loader.SetFsCallbacks(
-      {is_there, [](const std::string& name, void*) { return name; }, read_whole, nullptr, &surroundings});
-
   std::string error, warning;
   bool is_good = false;
   try {
-    is_good =
-        container.is_binary
-            ? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(view.data()),
-                                          size, surroundings.folder)
-            : loader.LoadASCIIFromString(&model, &error, &warning, view.data(), size, surroundings.folder);
+    is_good = loader.LoadASCIIFromString(&model, &error, &warning, view.data(), static_cast<unsigned int>(view.size()),
+                                         path.parent_path().string());
   } catch (const std::exception& failure) {  // tinygltf indexes some empty arrays with at()
     error += failure.what();
   }
-  if (!is_good && !surroundings.missing_file.empty() && error.find("File not found") != error.npos) {
-    throw FileError(path, {},
-                    "its buffer is the file " + in_quotes(surroundings.missing_file) +
-                        ", which is not there; put it there, as seen from the .gltf, or export the model as .glb");
-  }
   // tinygltf reports success though it left out a primitive that it could not parse; its messages tell.
-  if (!is_good || !error.empty()) throw FileError(path, {}, "cannot be read as glTF 2.0: " + first_line(error));
+  if (!is_good || !error.empty()) {
+    throw FileError(path, {}, "cannot be read as glTF 2.0: " + first_line(error) + "; export it again");
+  }
+  for (std::vector<unsigned char>& bytes : read_gltf_buffers(path, container, json)) {
+    model.buffers.emplace_back().data = std::move(bytes);
+  }
 }
 
 }  // namespace cagewright::host

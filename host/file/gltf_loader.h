@@ -15,8 +15,7 @@ class Model;
 namespace cagewright::host {
 
 // The typed view of a .gltf or .glb: scenes, nodes, meshes, accessors, buffer views and buffers; nothing else is looked
-// at, and of extensions and extras only ours and Draco's are there, empty. Buffers are looked for beside `path` and
-// nowhere else. Throws FileError.
+// at, and of extensions and extras only ours and Draco's are there, empty. Throws FileError.
 void load_gltf(const std::filesystem::path& path, std::string_view bytes, tinygltf::Model& model);
 
 // The same of a file that is split and parsed already.

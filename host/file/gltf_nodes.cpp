@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -16,7 +17,7 @@ class Nodes {
  public:
   Nodes(const std::filesystem::path& path, const tinygltf::Model& model) : path_(path), model_(model) {}
 
-  [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, {}, reason); }
+  [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, {}, reason + "; export it again"); }
 
   std::size_t index(int node) const {
     if (node < 0 || static_cast<std::size_t>(node) >= model_.nodes.size()) {
@@ -35,6 +36,7 @@ class Nodes {
       }
     }
     check_ancestors(parents);
+    check_roots(parents);
     return parents;
   }
 
@@ -84,6 +86,18 @@ class Nodes {
   }
 
  private:
+  void check_roots(const std::vector<int>& parents) const {
+    for (std::size_t s = 0; s < model_.scenes.size(); ++s) {
+      std::set<int> roots;
+      for (const int root : model_.scenes[s].nodes) {
+        const bool is_child = parents[index(root)] >= 0;
+        if (!is_child && roots.insert(root).second) continue;
+        fail("its nodes form no tree: node " + std::to_string(root) + " is at the root of scene " + std::to_string(s) +
+             (is_child ? " and a child of node " + std::to_string(parents[index(root)]) : " twice"));
+      }
+    }
+  }
+
   // Every node has one parent at most, so a walk upwards that does not end comes back to where it began.
   void check_ancestors(const std::vector<int>& parents) const {
     std::vector<int> seen_from(parents.size(), -1);

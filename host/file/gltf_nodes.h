@@ -12,8 +12,8 @@ class Model;
 
 namespace cagewright::host {
 
-// Of every node its parent, or -1. Throws FileError where a child is not there, a node has two parents, or nodes are
-// their own ancestors. O(nodes).
+// Of every node its parent, or -1. Throws FileError where a child is not there, a node has two parents, nodes are their
+// own ancestors, or a scene has a root that is a child or there twice. O(nodes log nodes).
 std::vector<int> gltf_parents(const std::filesystem::path& path, const tinygltf::Model& model);
 
 // Throws FileError, which names the node, where translation, rotation, scale or matrix are not finite numbers of the

@@ -55,7 +55,7 @@ Json to_json(const Report::Timings& timings) {
 
 Json to_json(const std::vector<std::pair<std::string, Report::Option>>& options) {
   Json json = Json::object();
-  for (const auto& [name, value] : options) std::visit([&](const auto& x) { json[name] = x; }, value);
+  for (const auto& option : options) std::visit([&](const auto& x) { json[option.first] = x; }, option.second);
   return json;
 }
 

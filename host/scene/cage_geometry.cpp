@@ -238,14 +238,17 @@ void detach_cage_geometry(SceneBase& base, SceneContent& content) {
     const auto block = block_of(base.json, cage.as_read->mesh);
     if (!block || !uses.only_own(*block)) continue;
     own.emplace_back(&cage, *block);
-    blocks.push_back(*block);
+    const auto is_same = [&](const CageBlock& other) { return other.mesh == block->mesh; };
+    if (std::none_of(blocks.begin(), blocks.end(), is_same)) blocks.push_back(*block);
   }
   const bool at_the_end = are_last(base.json, blocks);
+  std::set<int> meshes;
   for (const auto& [cage, block] : own) {
     CageAsRead as_read = *cage->as_read;
     as_read.mesh = -1;
     as_read.geometry = geometry_of(base.json, block);
-    if (!at_the_end) {
+    // Of cages that share a mesh, as copies of a mesh node do, the first gets the place and the others new ones.
+    if (meshes.insert(block.mesh).second && !at_the_end) {
       as_read.block = static_cast<int>(base.blocks.size());
       base.blocks.push_back(block);
     }

@@ -1,36 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scene/external_files.h"
 
-#include <algorithm>
-#include <cctype>
-#include <charconv>
+#include <set>
 
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_uri.h"
 
 namespace cagewright::host {
 namespace {
 
-// RFC 3986, 2.1: %20 for a space.
-std::string percent_decoded(const std::string& uri) {
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    unsigned value = 0;
-    const char* digits = uri.data() + i + 1;
-    if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2) {
-      text += static_cast<char>(value);
-      i += 2;
-    } else {
-      text += uri[i];
-    }
+// The relative paths that do not lead out of the scene's folder.
+std::set<std::filesystem::path> names_inside(const SceneDocument& scene) {
+  std::set<std::filesystem::path> names;
+  for (const std::string& uri : scene.external_files()) {
+    const auto name = relative_path(uri);
+    if (!name) continue;
+    const std::filesystem::path clean = name->lexically_normal();
+    if (*clean.begin() != "..") names.insert(clean);
   }
-  return text;
-}
-
-bool is_inside(const std::filesystem::path& name) {
-  if (name.empty() || name.is_absolute() || name.string().find("://") != std::string::npos) return false;
-  const std::filesystem::path clean = name.lexically_normal();
-  return clean.begin() != clean.end() && *clean.begin() != "..";
+  return names;
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
@@ -45,13 +34,9 @@ std::vector<std::pair<std::filesystem::path, std::string>> external_copies(const
   std::vector<std::pair<std::filesystem::path, std::string>> copies;
   const std::filesystem::path from = folder_of(scene.path()), to = folder_of(out);
   if (from == to) return copies;
-  std::vector<std::string> names = scene.external_files();
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  for (const std::string& uri : names) {
-    const std::filesystem::path name = percent_decoded(uri);
+  for (const std::filesystem::path& name : names_inside(scene)) {
     std::error_code error;
-    if (!is_inside(name) || !std::filesystem::is_regular_file(from / name, error)) continue;
+    if (!std::filesystem::is_regular_file(from / name, error)) continue;
     std::string bytes = read_bytes(from / name);
     if (std::filesystem::exists(to / name, error)) {
       if (read_bytes(to / name) == bytes) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scene/own_extension.h"
 
+#include <cmath>
+
 #include "host/file/file_error.h"
 #include "host/file/gltf_own_nodes.h"
 
@@ -23,7 +25,9 @@ class OwnReader {
   }
 
   [[noreturn]] void fail(const std::string& key, const std::string& wanted) const {
-    throw FileError(path_, {}, place_ + extension_ + (key.empty() ? "" : "." + key) + " should be " + wanted);
+    throw FileError(path_, {},
+                    place_ + extension_ + (key.empty() ? "" : "." + key) + " should be " + wanted +
+                        "; mend it, or take it out of the node");
   }
 
   const GltfJson* find(const char* key) const { return own_ ? find_key(*own_, key) : nullptr; }
@@ -35,12 +39,11 @@ class OwnReader {
     return found;
   }
 
+  // Tools whose numbers are all doubles write 3.0 for 3.
   std::int64_t id_in(const GltfJson& json, const char* key, const char* wanted) const {
-    constexpr std::int64_t largest = std::int64_t{1} << 53;  // what every JSON reader can hold
-    if (!json.is_number_integer() || json.get<std::int64_t>() < 1 || json.get<std::int64_t>() > largest) {
-      fail(key, wanted);
-    }
-    return json.get<std::int64_t>();
+    const double id = number_in(json).value_or(0);
+    if (!(id >= 1 && id <= static_cast<double>(largest_slide_id)) || id != std::floor(id)) fail(key, wanted);
+    return static_cast<std::int64_t>(id);
   }
 
   std::vector<std::string> keeps() const {
@@ -76,11 +79,21 @@ void write_own(const char* extension, GltfJson value, GltfJson shadow, GltfJson&
 
 }  // namespace
 
+std::int64_t free_slide_id(const std::set<std::int64_t>& taken) {
+  if (taken.empty()) return 1;
+  if (*taken.rbegin() < largest_slide_id) return *taken.rbegin() + 1;
+  std::int64_t id = 1;
+  while (taken.count(id) > 0) ++id;
+  return id;
+}
+
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
                                        const GltfJson& node) {
   const OwnReader reader(path, place, slide_extension, node);
   OwnSlideExtension own;
-  if (const GltfJson* id = reader.find("id")) own.id = reader.id_in(*id, "id", "a positive integer");
+  const GltfJson* id = reader.find("id");
+  if (id == nullptr) reader.fail("id", "there, a positive integer");
+  own.id = reader.id_in(*id, "id", "a positive integer");
   if (const GltfJson* stroke = reader.array("stroke", "an array of points")) {
     for (const GltfJson& item : *stroke) {
       if (!item.is_array() || item.size() != 3) reader.fail("stroke", "an array of points, three numbers each");
@@ -110,6 +123,9 @@ SceneCage read_cage_extension(const std::filesystem::path& path, const std::stri
                               std::set<std::string>& keeps) {
   const OwnReader reader(path, place, cage_extension, node);
   SceneCage cage;
+  if (const GltfJson* source = reader.find("source"); source && !source->is_number_integer()) {
+    reader.fail("source", "the number of a node");
+  }
   if (const GltfJson* parameters = reader.find("parameters")) {
     if (!parameters->is_object()) reader.fail("parameters", "an object of numbers");
     for (const auto& item : parameters->items()) {
@@ -129,7 +145,10 @@ SceneCage read_cage_extension(const std::filesystem::path& path, const std::stri
       cage.sections.push_back(row.get<int>());
     }
   }
-  if (const GltfJson* certificate = reader.find("certificate")) cage.certificate = gltf_json_text(*certificate);
+  if (const GltfJson* certificate = reader.find("certificate")) {
+    if (!certificate->is_object()) reader.fail("certificate", "an object");
+    cage.certificate = gltf_json_text(*certificate);
+  }
   for (std::string& pointer : reader.keeps()) keeps.insert(std::move(pointer));
   return cage;
 }
@@ -149,7 +168,7 @@ void write_cage_extension(const SceneCage& cage, int source, GltfJson& node) {
   for (const auto& [id, value] : cage.parameters) own["parameters"][id] = value;
   own["slides"] = cage.slides;
   own["sections"] = cage.sections;
-  if (!cage.certificate.empty()) own["certificate"] = GltfJson::parse(cage.certificate);
+  if (!cage.certificate.empty()) own["certificate"] = parse_gltf_json({}, cage.certificate);
   write_own(cage_extension, std::move(own), {{"slides", cage.slides}}, node);
 }
 

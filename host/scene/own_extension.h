@@ -17,11 +17,16 @@
 namespace cagewright::host {
 
 struct OwnSlideExtension {
-  std::int64_t id = 0;  // 0: none is given
+  std::int64_t id = 0;
   std::vector<Point3> stroke;
   std::optional<TranslationRotationScale> fitted;
   std::vector<std::string> keeps;
 };
+
+// What every JSON reader can hold as a whole number.
+inline constexpr std::int64_t largest_slide_id = std::int64_t{1} << 53;
+// An id that is not taken: the next after the largest, where there is one.
+std::int64_t free_slide_id(const std::set<std::int64_t>& taken);
 
 // Of a whole node. Throws FileError, with `place` before the reason, where a value is of the wrong type.
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <map>
 
 #include "host/file/gltf_own_nodes.h"
 #include "host/scene/cage_geometry.h"
@@ -14,18 +15,19 @@ bool same_ellipse(const Slide::Ellipse& a, const Slide::Ellipse& b) {
   return a.center == b.center && a.u == b.u && a.v == b.v;
 }
 
-void write_transform(const Eigen::Affine3d& transform, const std::optional<TranslationRotationScale>& parts,
-                     GltfJson& node) {
+void write_transform(const TranslationRotationScale& p, GltfJson& node) {
   for (const char* key : {"translation", "rotation", "scale", "matrix"}) node.erase(key);
-  if (parts) {
-    const auto& p = *parts;
-    node["translation"] = {p[0], p[1], p[2]};
-    node["rotation"] = {p[3], p[4], p[5], p[6]};
-    node["scale"] = {p[7], p[8], p[9]};
-  } else {
-    const Eigen::Matrix4d matrix = transform.matrix();
-    node["matrix"] = std::vector<double>(matrix.data(), matrix.data() + matrix.size());
-  }
+  node["translation"] = {p[0], p[1], p[2]};
+  node["rotation"] = {p[3], p[4], p[5], p[6]};
+  node["scale"] = {p[7], p[8], p[9]};
+}
+
+// The transform under the parent that it was read with; empty where glTF cannot say it, as shears between that parent
+// and the mesh node would have to be undone.
+std::optional<TranslationRotationScale> under_parent(const SlideAsRead& read, const Eigen::Affine3d& transform) {
+  const Eigen::Affine3d local = read.parent_to_mesh.inverse() * transform;  // not finite where there is no inverse
+  const double error = ((read.parent_to_mesh * local).matrix() - transform.matrix()).norm();
+  return error <= 1e-9 * transform.matrix().norm() ? decompose(local) : std::nullopt;
 }
 
 class PuttingTogether {
@@ -34,15 +36,20 @@ class PuttingTogether {
       : path_(path), base_(base), content_(content), json_(base.json), holes_(base.holes) {}
 
   GltfJson run() {
-    if (content_.slides.empty() && content_.cages.empty() && holes_.empty()) return std::move(json_);
-    for (const SceneSlide& slide : content_.slides) claim(slide);
+    if (find_key(json_, "nodes") == nullptr) return std::move(json_);
+    for (const SceneSlide& slide : content_.slides) {
+      claim(slide);
+      const SlideAsRead* read = slide.as_read.get();
+      if (read && read->home >= 0 && !same_ellipse(slide.ellipse, read->ellipse)) moved_.insert(read->home);
+    }
     for (const SceneCage& cage : content_.cages) claim(cage);
     for (const SceneSlide& slide : content_.slides) add(slide);
     const std::vector<int> meshes = attach_cage_geometry(path_, base_, content_, json_, filled_);
     for (std::size_t k = 0; k < meshes.size(); ++k) add(content_.cages[k], meshes[k]);
+    link_children();
     drop_holes_at_the_end();
     name_extensions();
-    if (first_own_ >= 0) write_keeps(kept_and_filled(), node(first_own_));
+    if (first_own_ >= 0) write_keeps(filled_, node(first_own_));
     return std::move(json_);
   }
 
@@ -65,68 +72,72 @@ class PuttingTogether {
 
   void put(int index, GltfJson value) {
     node(index) = std::move(value);
-    if (first_own_ < 0) first_own_ = index;
+    first_own_ = first_own_ < 0 ? index : std::min(first_own_, index);
   }
 
-  // Adds a node to its parent's children, or to the scenes where it has no parent.
-  void link(int child, int parent) {
-    GltfJson& children = node(parent)["children"];
-    if (children.is_null()) {
-      children = GltfJson::array();
-    } else if (children.empty()) {
-      filled_.insert("/nodes/" + std::to_string(parent) + "/children");
+  // Adds our nodes to their parents' children: by number, so that a file that is read and written again stays the same.
+  void link_children() {
+    for (const auto& [child, parent] : parents_) {
+      GltfJson& children = node(parent)["children"];
+      if (children.is_null()) {
+        children = GltfJson::array();
+      } else if (children.empty()) {
+        filled_.insert("/nodes/" + std::to_string(parent) + "/children");
+      }
+      children.push_back(child);
     }
-    children.push_back(child);
+  }
+
+  // The node that was read, with the children that are in its place now.
+  template <typename AsRead>
+  GltfJson node_of(const AsRead& read) {
+    GltfJson value = read.node;
+    if (!read.is_pinned) return value;
+    if (const GltfJson* children = find_key(node(read.home), "children")) {
+      value["children"] = *children;
+    } else {
+      value.erase("children");
+    }
+    return value;
   }
 
   void add(const SceneSlide& slide) {
     const SlideAsRead* read = slide.as_read.get();
-    GltfJson value = GltfJson::object();
-    if (read) value = read->is_pinned ? node(read->home) : read->node;
-    value["name"] = slide.name;
-    const bool is_adopted = !read || read->parent < 0;
-    std::optional<TranslationRotationScale> fitted;
-    if (is_adopted || !same_ellipse(slide.ellipse, read->ellipse)) {
-      Eigen::Affine3d local = slide_transform(slide.ellipse);
-      if (!is_adopted) local = read->parent_to_mesh.inverse() * local;
-      fitted = decompose(local);
-      write_transform(local, fitted, value);
-    } else {
-      fitted = transform_of(value);
+    const Eigen::Affine3d transform = slide_transform(slide.ellipse);
+    // A slide that a tool has put below another one does not move with it.
+    const bool is_carried = read && std::any_of(read->carriers.begin(), read->carriers.end(),
+                                                [this](int carrier) { return moved_.count(carrier) > 0; });
+    const bool is_unchanged =
+        read && same_ellipse(slide.ellipse, read->ellipse) && (slide.stroke.empty() || read->fitted) && !is_carried;
+    const auto fitted = is_unchanged ? read->fitted : decompose(transform);
+    bool keeps_parent = read && (read->parent >= 0 || read->is_pinned) && !is_carried;
+    std::optional<TranslationRotationScale> local;
+    if (keeps_parent && !is_unchanged) {
+      local = under_parent(*read, transform);
+      keeps_parent = local.has_value();
     }
+    if (!keeps_parent) {
+      local = decompose(transform);
+      if (read && read->is_pinned) read = nullptr;  // its old node stays with what others have put there
+    }
+    GltfJson value = read ? node_of(*read) : GltfJson::object();
+    value["name"] = slide.name;
+    if (local) write_transform(*local, value);
     write_slide_extension(slide, fitted, value);
     const int index = place_for(read ? read->home : -1);
     put(index, std::move(value));
-    if (read == nullptr || !read->is_pinned) link(index, is_adopted ? slide.mesh_node : read->parent);
-    has_slides_ = true;
-  }
-
-  // The parts of a node's transform as they are written; empty where it has a matrix.
-  static std::optional<TranslationRotationScale> transform_of(const GltfJson& value) {
-    if (find_key(value, "matrix")) return {};
-    TranslationRotationScale parts = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1};
-    std::size_t at = 0;
-    for (const auto& [key, count] : {std::pair{"translation", 3}, std::pair{"rotation", 4}, std::pair{"scale", 3}}) {
-      const GltfJson* array = find_key(value, key);
-      for (int i = 0; i < count; ++i, ++at) {
-        if (array && array->is_array() && array->size() == static_cast<std::size_t>(count)) {
-          parts[at] = number_in((*array)[static_cast<std::size_t>(i)]).value_or(parts[at]);
-        }
-      }
-    }
-    return parts;
+    if (!read || !read->is_pinned) parents_[index] = keeps_parent ? read->parent : slide.mesh_node;
   }
 
   void add(const SceneCage& cage, int mesh) {
     const CageAsRead* read = cage.as_read.get();
-    GltfJson value = read ? read->node : GltfJson::object();
+    GltfJson value = read ? node_of(*read) : GltfJson::object();
     if (!cage.name.empty()) value["name"] = cage.name;
     value["mesh"] = mesh;
     write_cage_extension(cage, cage.mesh_node, value);
     const int index = place_for(read ? read->home : -1);
     put(index, std::move(value));
-    link(index, read && read->parent >= 0 ? read->parent : cage.mesh_node);
-    has_cages_ = true;
+    if (!read || !read->is_pinned) parents_[index] = read ? read->parent : cage.mesh_node;
   }
 
   void drop_holes_at_the_end() {
@@ -136,22 +147,22 @@ class PuttingTogether {
     }
   }
 
+  // Also where a node of ours has stayed with the others, as a second cage has.
   void name_extensions() {
-    if (!has_slides_ && !has_cages_) return;
-    GltfJson& used = json_["extensionsUsed"];
-    if (used.is_null()) {
-      used = GltfJson::array();
-    } else if (used.empty()) {
-      filled_.insert("/extensionsUsed");
+    for (const char* name : {slide_extension, cage_extension}) {
+      const auto has_it = [name](const GltfJson& each) {
+        const GltfJson* extensions = find_key(each, "extensions");
+        return extensions && find_key(*extensions, name);
+      };
+      if (std::none_of(nodes().begin(), nodes().end(), has_it)) continue;
+      GltfJson& used = json_["extensionsUsed"];
+      if (used.is_null()) {
+        used = GltfJson::array();
+      } else if (used.empty()) {
+        filled_.insert("/extensionsUsed");
+      }
+      used.push_back(name);
     }
-    if (has_slides_) used.push_back(slide_extension);
-    if (has_cages_) used.push_back(cage_extension);
-  }
-
-  std::set<std::string> kept_and_filled() const {
-    std::set<std::string> all = base_.keeps;
-    all.insert(filled_.begin(), filled_.end());
-    return all;
   }
 
   const std::filesystem::path& path_;
@@ -159,9 +170,10 @@ class PuttingTogether {
   const SceneContent& content_;
   GltfJson json_;
   std::set<int> holes_;
+  std::set<int> moved_;           // places of slides that have another transform by now
   std::set<std::string> filled_;  // arrays that were there and empty
+  std::map<int, int> parents_;    // of our nodes, but for those that have stayed where they were
   int first_own_ = -1;
-  bool has_slides_ = false, has_cages_ = false;
 };
 
 }  // namespace

@@ -12,8 +12,10 @@
 #include "host/file/gltf_geometry.h"
 #include "host/file/gltf_loader.h"
 #include "host/file/gltf_own_nodes.h"
+#include "host/file/gltf_uri.h"
 #include "host/file/mesh_writer.h"
 #include "host/scene/base64.h"
+#include "host/scene/own_extension.h"
 #include "host/scene/scene_parts.h"
 
 namespace cagewright::host {
@@ -29,7 +31,7 @@ struct SceneDocument::State {
   std::vector<std::string> notes;
   std::vector<SceneMeshNode> mesh_nodes;
   std::vector<std::weak_ptr<Listener>> listeners;
-  std::int64_t next_id = 1;
+  std::set<std::int64_t> ids;  // that any slide has had, or a cage names
 
   int indent() const { return !container.is_binary && container.json.find('\n') != std::string_view::npos ? 2 : -1; }
   std::string text() const { return gltf_json_text(put_together(path, base, content), indent()); }
@@ -74,10 +76,7 @@ SceneDocument::SceneDocument(const std::filesystem::path& path, std::string byte
   s.content = std::move(parts.content);
   s.notes = std::move(parts.notes);
   s.mesh_nodes = mesh_nodes_of(s.model);
-  for (const SceneSlide& slide : s.content.slides) s.next_id = std::max(s.next_id, slide.id + 1);
-  for (const SceneCage& cage : s.content.cages) {
-    for (const std::int64_t id : cage.slides) s.next_id = std::max(s.next_id, id + 1);
-  }
+  s.ids = ids_in(s.content);
   s.text_as_read = s.text();
 }
 
@@ -100,7 +99,10 @@ SceneDocument SceneDocument::copy_as(bool is_binary) const {
   if (s.container.is_binary == is_binary) return SceneDocument(path(), bytes());
   GltfJson json = put_together(s.path, s.base, s.content);
   GltfJson* buffers = find_key(json, "buffers");
-  const bool has_buffer = buffers && buffers->is_array() && !buffers->empty() && !s.model.buffers.empty();
+  const GltfJson* others = find_key(s.base.json, "buffers");
+  const bool is_ours =
+      std::any_of(s.base.blocks.begin(), s.base.blocks.end(), [](const CageBlock& block) { return block.buffer == 0; });
+  const bool has_buffer = others && !others->empty() && !is_ours;
   std::string chunk;
   if (has_buffer && is_binary && find_key((*buffers)[0], "uri")) {
     const std::vector<unsigned char>& data = s.model.buffers[0].data;
@@ -112,7 +114,7 @@ SceneDocument SceneDocument::copy_as(bool is_binary) const {
     (*buffers)[0]["uri"] = "data:application/octet-stream;base64," + base64(view);
   }
   if (!is_binary) return SceneDocument(path(), gltf_json_text(json, 2));
-  return SceneDocument(path(), join_gltf(path(), {true, {}, binary_chunk(chunk), {}}, gltf_json_text(json)));
+  return SceneDocument(path(), join_gltf(path(), {true, {}, binary_chunk(chunk), {}, {}}, gltf_json_text(json)));
 }
 
 SceneDocument::~SceneDocument() = default;
@@ -149,7 +151,11 @@ const SceneCage* SceneDocument::find_cage(int mesh_node) const {
   return found == state_->content.cages.end() ? nullptr : &*found;
 }
 
-std::int64_t SceneDocument::new_slide_id() { return state_->next_id++; }
+std::int64_t SceneDocument::new_slide_id() {
+  const std::int64_t id = free_slide_id(state_->ids);
+  state_->ids.insert(id);
+  return id;
+}
 
 void SceneDocument::insert_slide(std::size_t row, SceneSlide slide) {
   auto& slides = state_->content.slides;
@@ -217,7 +223,7 @@ std::vector<std::string> SceneDocument::external_files() const {
     if (items == nullptr || !items->is_array()) return;
     for (const GltfJson& item : *items) {
       const GltfJson* uri = find_key(item, "uri");
-      if (uri && uri->is_string() && uri->get_ref<const std::string&>().rfind("data:", 0) != 0) {
+      if (uri && uri->is_string() && !is_data_uri(uri->get_ref<const std::string&>())) {
         names.push_back(uri->get<std::string>());
       }
     }

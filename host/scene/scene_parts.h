@@ -4,12 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "host/file/gltf_json.h"
 #include "host/scene/scene_content.h"
+#include "host/scene/slide_transform.h"
 
 namespace tinygltf {
 class Model;
@@ -19,18 +21,21 @@ class Model;
 namespace cagewright::host {
 
 struct SlideAsRead {
-  GltfJson node;           // whole, ours included
-  Slide::Ellipse ellipse;  // that its transform is
+  GltfJson node;                                   // whole, ours included
+  Slide::Ellipse ellipse;                          // that its transform is
+  std::optional<TranslationRotationScale> fitted;  // what the stroke was fitted to, where it still counts
   int parent = -1;
   Eigen::Affine3d parent_to_mesh = Eigen::Affine3d::Identity();
-  int home = -1;           // its place among the nodes where it has to keep it, or -1
-  bool is_pinned = false;  // the node stays, as an ordinary one, where the slide goes
+  std::vector<int> carriers;  // nodes of other slides between it and the mesh node
+  int home = -1;              // its place among the nodes where it has to keep it, or -1
+  bool is_pinned = false;     // the node stays, as an ordinary one, where the slide goes
 };
 
 struct CageAsRead {
   GltfJson node;
   int parent = -1;
   int home = -1;
+  bool is_pinned = false;          // as for slides
   int block = -1;                  // which of SceneBase::blocks holds its geometry, or -1
   int mesh = -1;                   // where others use the geometry too: the mesh in the base, else -1
   std::vector<GltfJson> geometry;  // mesh, 2 accessors, 2 buffer views, buffer: where it has neither block nor mesh
@@ -55,8 +60,11 @@ struct TakenApart {
   std::vector<std::string> notes;  // what had to be mended, a sentence each
 };
 
+// Every id that a slide has or a cage names.
+std::set<std::int64_t> ids_in(const SceneContent& content);
+
 // `model` is the typed view of the same file. Throws FileError: nodes that form no tree, ours of wrong types, a slide
-// that is under no mesh node. O(size of the JSON).
+// that is under no mesh node or has no area. O(size of the JSON).
 TakenApart take_apart(const std::filesystem::path& path, GltfJson json, const tinygltf::Model& model);
 
 // The whole again: the same for the same base and content, whatever was done before. Throws FileError where a cage

@@ -27,7 +27,7 @@ Eigen::Affine3d slide_transform(const Slide::Ellipse& ellipse) {
   if (std::abs(u.dot(v)) > perpendicular * u.norm() * v.norm()) {
     Eigen::Matrix<double, 3, 2> radii;
     radii << u, v;
-    const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>> svd(radii, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>> svd(radii, Eigen::ComputeFullU);
     const Eigen::Vector3d axis = svd.matrixU().col(0);
     v = svd.singularValues()(1) * normal.cross(axis) * (axis.dot(u) < 0 ? -1 : 1);
     u = svd.singularValues()(0) * axis * (axis.dot(u) < 0 ? -1 : 1);

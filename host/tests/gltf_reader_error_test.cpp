@@ -77,9 +77,10 @@ TEST(GltfReaderErrors, NameMeshPrimitiveAndAccessorAtFault) {
       {"accessor 0", "too many"});
   expect_after(
       [](json& j) {
-        j["accessors"][0]["sparse"] = {{"count", 3},
-                                       {"indices", {{"bufferView", 1}, {"componentType", gl_ushort}}},
-                                       {"values", {{"bufferView", 0}}}};
+        j["accessors"][0]["sparse"] = {
+            {"count", 1},
+            {"indices", {{"bufferView", 1}, {"byteOffset", 4}, {"componentType", gl_ushort}}},
+            {"values", {{"bufferView", 0}}}};
         j["accessors"][0]["count"] = 2;
       },
       {"accessor 0", "sparse index 2"});

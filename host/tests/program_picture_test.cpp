@@ -52,5 +52,17 @@ TEST_F(ProgramPictureTest, IsSeenFromWhereAndWithWhatUpWasAskedFor) {
   EXPECT_LT(aspect({"--picture-up", "0,0,1"}), 0.7) << "the view turns with what is up";
 }
 
+TEST_F(ProgramPictureTest, IsNotDrawnOfSeveralCages) {
+  const std::string scene = std::string(CAGEWRIGHT_OWN_SCENES) + "/slides_two_caged_meshes.gltf";
+  const char* display = std::getenv("DISPLAY");
+  const ProgramRun run = run_program({"cage", scene, "--quiet", "--picture", at("p.png")},
+                                     {{"DISPLAY", display == nullptr ? "" : display}});
+  EXPECT_EQ(run.exit_code, 3);
+  for (const char* part : {"--picture", "p.png", "2 meshes", "node 0 (\"left\")", "--node"}) {
+    EXPECT_NE(run.errors.find(part), std::string::npos) << part << "\nis not in: " << run.errors;
+  }
+  EXPECT_FALSE(std::filesystem::exists(at("p.png")));
+}
+
 }  // namespace
 }  // namespace cagewright::host

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/scene/detach_nodes.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "host/file/gltf_own_nodes.h"
+#include "host/scene/own_extension.h"
+
+namespace cagewright::host {
+namespace {
+
+constexpr std::array<std::string_view, 5> own_keys = {"name", "translation", "rotation", "scale", "matrix"};
+
+bool is_own_name(std::string_view name) { return name == slide_extension || name == cage_extension; }
+
+// Takes what is ours out of an array of node numbers; an array that only we have filled goes too.
+void remove_items(SceneBase& base, GltfJson& object, const char* key, const std::string& pointer,
+                  const std::set<int>& ours) {
+  GltfJson* array = find_key(object, key);
+  if (array == nullptr || !array->is_array()) return;
+  GltfJson kept = GltfJson::array();
+  for (GltfJson& item : *array) {
+    if (!item.is_number_integer() || ours.count(item.get<int>()) == 0) kept.push_back(std::move(item));
+  }
+  const bool had_ours = kept.size() != array->size();
+  *array = std::move(kept);
+  if (had_ours && array->empty() && base.keeps.count(pointer) == 0) object.erase(key);
+}
+
+void remove_extensions_used(SceneBase& base) {
+  GltfJson* used = find_key(base.json, "extensionsUsed");
+  if (used == nullptr) return;
+  GltfJson kept = GltfJson::array();
+  for (GltfJson& name : *used) {
+    if (!is_own_name(name.get_ref<const std::string&>())) kept.push_back(std::move(name));
+  }
+  const bool had_ours = kept.size() != used->size();
+  *used = std::move(kept);
+  if (had_ours && used->empty() && base.keeps.count("/extensionsUsed") == 0) base.json.erase("extensionsUsed");
+}
+
+// What others have of a pinned node: a cage's mesh is ours, and a skin needs one.
+void leave_ordinary_node(GltfJson& node, bool was_cage) {
+  remove_own_extensions(node);
+  if (!was_cage) return;
+  for (const char* key : {"mesh", "skin", "weights"}) node.erase(key);
+}
+
+}  // namespace
+
+bool has_content_of_others(const GltfJson& node, bool is_cage) {
+  const auto is_own = [is_cage](const auto& item) {
+    if (item.key() == "extensions" || item.key() == "extras") {
+      const auto& all = item.value().items();
+      return item.value().is_object() &&
+             std::all_of(all.begin(), all.end(), [](const auto& each) { return is_own_name(each.key()); });
+    }
+    if (item.key() == "children") return item.value().empty();
+    if (item.key() == "mesh") return is_cage;
+    return std::find(own_keys.begin(), own_keys.end(), item.key()) != own_keys.end();
+  };
+  const auto& items = node.items();
+  return !std::all_of(items.begin(), items.end(), is_own);
+}
+
+void detach_nodes(SceneBase& base, SceneContent& content, const std::vector<int>& slide_nodes,
+                  const std::vector<int>& cage_nodes) {
+  GltfJson& nodes = *find_key(base.json, "nodes");
+  std::set<int> ours;
+  const auto collect = [&](const auto& owners, const std::vector<int>& places) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (!owners[k].as_read->is_pinned) ours.insert(places[k]);
+    }
+  };
+  collect(content.slides, slide_nodes);
+  collect(content.cages, cage_nodes);
+  const bool at_the_end = ours.empty() || static_cast<std::size_t>(*ours.begin()) + ours.size() == nodes.size();
+  const auto keep_homes = [&](auto& owners, const std::vector<int>& places, bool are_cages) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      auto as_read = *owners[k].as_read;
+      if (!at_the_end || as_read.is_pinned) as_read.home = places[k];
+      if (as_read.is_pinned) leave_ordinary_node(nodes[static_cast<std::size_t>(places[k])], are_cages);
+      owners[k].as_read = std::make_shared<decltype(as_read)>(std::move(as_read));
+    }
+  };
+  keep_homes(content.slides, slide_nodes, false);
+  keep_homes(content.cages, cage_nodes, true);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    remove_items(base, nodes[i], "children", "/nodes/" + std::to_string(i) + "/children", ours);
+  }
+  if (GltfJson* scenes = find_key(base.json, "scenes")) {
+    for (std::size_t i = 0; i < scenes->size(); ++i) {
+      remove_items(base, (*scenes)[i], "nodes", "/scenes/" + std::to_string(i) + "/nodes", ours);
+    }
+  }
+  for (const int node : ours) nodes[static_cast<std::size_t>(node)] = GltfJson::object();
+  if (at_the_end) {
+    nodes.erase(nodes.end() - static_cast<std::ptrdiff_t>(ours.size()), nodes.end());
+  } else {
+    base.holes = std::move(ours);
+  }
+  remove_extensions_used(base);
+}
+
+}  // namespace cagewright::host
