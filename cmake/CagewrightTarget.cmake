@@ -36,7 +36,7 @@ function(cagewright_target name)
     list(JOIN CAGEWRIGHT_SANITIZE "," sanitizers)
     # g++ 12 takes what the sanitizers add for uninitialised input, in the standard library's own code too.
     target_compile_options(${name} PRIVATE -fsanitize=${sanitizers} -fno-omit-frame-pointer
-                           -Wno-maybe-uninitialized)
+                           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(${name} PRIVATE -fsanitize=${sanitizers})
   endif()
 endfunction()

@@ -2,7 +2,6 @@
 #include "core/enclose/box_tree.h"
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <unsupported/Eigen/BVH>
 
@@ -81,10 +80,12 @@ void BoxTree::visit_near(const Triangle3& t, double distance, const std::functio
   const double size = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) + distance;
   box.min().array() -= distance;
   box.max().array() += distance;
-  // A sliver's normal is rounding: then only the boxes count.
-  const bool has_plane = (t[1] - t[0]).cross(t[2] - t[0]).norm() > 1e-9 * box.sizes().squaredNorm();
-  const double half_width =
-      has_plane ? distance + slack * (size + tree_->size) : std::numeric_limits<double>::infinity();
+  // The normal's error grows as a triangle gets thinner: of a thin one only the boxes count. Not less than: NaN is
+  // thin.
+  constexpr double thin = 1e-3;
+  const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
+  if (!(area > thin * box.sizes().squaredNorm())) return this->visit(box, visit);
+  const double half_width = distance + slack * (size + tree_->size);
   SlabQuery query{box, normal, normal.dot(t[0]), half_width, tree_->own, visit};
   Eigen::BVIntersect(tree_->boxes, query);
 }

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "core/enclose/box_tree.h"
+#include "core/enclose/triangle_distance.h"
 #include "core/enclose/triangle_intersection.h"
+#include "core/tests/meshes.h"
 #include "core/tests/random_numbers.h"
 
 namespace cagewright {
@@ -162,6 +165,37 @@ TEST(TrianglesOfMeshMeet, CountsOnlyWhatIsFoldedFlatAcrossASharedEdge) {
 TEST(TrianglesOfMeshMeet, CountsTheSameTriangleTwice) {
   const IntegerTriangle s = {Integer3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   EXPECT_TRUE(triangles_of_mesh_meet(mesh_of(s, s, 3), 0, 1));
+}
+
+// Also of slivers, whose normals are rounding.
+TEST(BoxTree, MissesNoTriangleThatIsNear) {
+  Random random(9);
+  const IndexedMesh ball = meshes::icosphere(3);
+  const BoxTree tree(ball);
+  const auto corners = [&](int t) -> Triangle3 {
+    return {ball.points.row(ball.triangles(t, 0)), ball.points.row(ball.triangles(t, 1)),
+            ball.points.row(ball.triangles(t, 2))};
+  };
+  long near = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const double thinness = std::pow(10.0, -(trial % 20));
+    const Vector3 a = random.uniform(0.5, 1.2) * random.direction(), along = random.direction();
+    const Triangle3 query = {a, Vector3(a + along), Vector3(a + 0.4 * along + thinness * random.direction())};
+    const double distance = trial % 2 ? 0.05 : 0.0;
+    std::vector<bool> visited(static_cast<std::size_t>(ball.triangles.rows()), false);
+    tree.visit_near(query, distance, [&](int t) {
+      visited[static_cast<std::size_t>(t)] = true;
+      return false;
+    });
+    for (int t = 0; t < static_cast<int>(ball.triangles.rows()); ++t) {
+      const bool meets = is_degenerate(query) ? segment_meets_triangle(query[0], query[1], corners(t))
+                                              : triangles_meet(query, corners(t));
+      if (!meets && !(triangle_distance(query, corners(t)) < distance)) continue;
+      ++near;
+      ASSERT_TRUE(visited[static_cast<std::size_t>(t)]) << trial << ", triangle " << t;
+    }
+  }
+  EXPECT_GT(near, 1000);
 }
 
 }  // namespace

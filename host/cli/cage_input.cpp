@@ -89,7 +89,13 @@ class InputReader {
     if (command_.slides && with_slides.size() == 1) return with_slides;
     if (!command_.slides && !with_slides.empty()) return with_slides;
     if (nodes.size() == 1) return nodes;
-    if (nodes.empty() || !command_.out || !is_scene_name(*command_.out)) return {};
+    const bool is_for_scene = command_.out && is_scene_name(*command_.out);
+    if (nodes.empty() && is_for_scene) {
+      throw InputError(
+          command_.model.string() +
+          ": no node has a mesh, so that slides and cage have no place in the scene: give its mesh a node");
+    }
+    if (!is_for_scene) return {};
     throw InputError(command_.model.string() + ": several nodes have a mesh, " + list_of(nodes) +
                      ": say with --node which one the slides cut");
   }

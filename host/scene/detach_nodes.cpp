@@ -29,8 +29,9 @@ void remove_items(SceneBase& base, GltfJson& object, const char* key, const std:
   if (had_ours && array->empty() && base.keeps.count(pointer) == 0) object.erase(key);
 }
 
-void remove_extensions_used(SceneBase& base) {
-  GltfJson* used = find_key(base.json, "extensionsUsed");
+// From "extensionsUsed", and from "extensionsRequired", where other tools may have put them.
+void remove_own_names(SceneBase& base, const char* key) {
+  GltfJson* used = find_key(base.json, key);
   if (used == nullptr) return;
   GltfJson kept = GltfJson::array();
   for (GltfJson& name : *used) {
@@ -38,7 +39,7 @@ void remove_extensions_used(SceneBase& base) {
   }
   const bool had_ours = kept.size() != used->size();
   *used = std::move(kept);
-  if (had_ours && used->empty() && base.keeps.count("/extensionsUsed") == 0) base.json.erase("extensionsUsed");
+  if (had_ours && used->empty() && base.keeps.count(std::string("/") + key) == 0) base.json.erase(key);
 }
 
 // What others have of a pinned node: a cage's mesh is ours, and a skin needs one.
@@ -101,7 +102,7 @@ void detach_nodes(SceneBase& base, SceneContent& content, const std::vector<int>
   } else {
     base.holes = std::move(ours);
   }
-  remove_extensions_used(base);
+  for (const char* key : {"extensionsUsed", "extensionsRequired"}) remove_own_names(base, key);
 }
 
 }  // namespace cagewright::host

@@ -203,7 +203,8 @@ void SceneDocument::tell(const SceneEvent& event) const {
   auto& listeners = state_->listeners;
   listeners.erase(std::remove_if(listeners.begin(), listeners.end(), [](const auto& l) { return l.expired(); }),
                   listeners.end());
-  for (const auto& listener : listeners) {
+  const auto told = listeners;  // a listener may subscribe others
+  for (const auto& listener : told) {
     if (const auto alive = listener.lock()) (*alive)(event);
   }
 }

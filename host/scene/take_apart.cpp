@@ -51,6 +51,11 @@ class TakingApart {
     name_apart();
     detach_nodes(result_.base, result_.content, slide_nodes_, cage_nodes_);
     detach_cage_geometry(result_.base, result_.content);
+    // By age, however a tool has sorted the nodes: so a cage's vertices keep their order.
+    std::stable_sort(result_.content.slides.begin(), result_.content.slides.end(),
+                     [](const SceneSlide& a, const SceneSlide& b) { return a.id < b.id; });
+    std::stable_sort(result_.content.cages.begin(), result_.content.cages.end(),
+                     [](const SceneCage& a, const SceneCage& b) { return a.mesh_node < b.mesh_node; });
     return std::move(result_);
   }
 

@@ -129,6 +129,19 @@ TEST_F(Events, EndWithASubscriptionThatIsDestroyedWhileTheyAreTold) {
   EXPECT_EQ(heard.size(), 2u);
 }
 
+TEST_F(Events, ReachAListenerThatComesWhileTheyAreToldFromTheNextOneOn) {
+  int others = 0;
+  std::vector<std::unique_ptr<SceneDocument::Subscription>> later;
+  const auto adding = document.listen([&](const SceneEvent&) {
+    for (int i = 0; i < 100; ++i) later.push_back(document.listen([&](const SceneEvent&) { ++others; }));
+  });
+  const auto last = document.listen([](const SceneEvent&) {});
+  RenameSlide(2, "a").doIt(document);
+  EXPECT_EQ(others, 0);
+  RenameSlide(2, "b").doIt(document);
+  EXPECT_EQ(others, 100);
+}
+
 TEST_F(Events, SubscriptionMayOutliveTheDocument) {
   std::unique_ptr<SceneDocument::Subscription> left;
   {

@@ -166,6 +166,19 @@ TEST(SlideCommandsOnForeignContent, LeaveWhatOthersPutIntoTheNode) {
   EXPECT_EQ(document.bytes().find("CAGEWRIGHT"), std::string::npos);
 }
 
+TEST(SlideCommandsOnForeignContent, LeaveASlideWhereItIsWhoseNodeIsBelowAnother) {
+  SceneDocument document = own_scene("slides_deep.gltf");
+  const SceneSlide below = *document.find_slide(2);
+  ChangeSlide command(1, some_ellipse(6));
+  expect_reversible(document, command);
+  const SceneDocument again = saved(document);
+  expect_near(again.find_slide(1)->ellipse, some_ellipse(6));
+  expect_near(again.find_slide(2)->ellipse, below.ellipse);
+  EXPECT_EQ(again.find_slide(2)->name, below.name);
+  RemoveSlide(1).doIt(document);
+  expect_near(saved(document).find_slide(2)->ellipse, below.ellipse);
+}
+
 TEST(SlideCommandsOnForeignContent, MoveASlideThatIsBelowOtherNodes) {
   for (const char* name : {"slides_deep.gltf", "slides_moved_sheared.gltf", "slides_parent_gone.gltf"}) {
     SCOPED_TRACE(name);

@@ -224,8 +224,8 @@ TEST(SlidesDuplicatedByOtherTools, GetAFreeIdEvenWhereTheLargestIsTaken) {
       json["nodes"][node]["extensions"]["CAGEWRIGHT_cut_slide"]["id"] = 9007199254740992;
     }
   });
-  EXPECT_EQ(scene.slides()[0].id, 9007199254740992);
-  EXPECT_EQ(scene.slides()[1].id, 1);
+  EXPECT_EQ(scene.slides()[0].id, 1) << "by id";
+  EXPECT_EQ(scene.slides()[1].id, 9007199254740992);
   EXPECT_EQ(scene.new_slide_id(), 2);
   EXPECT_EQ(scene.new_slide_id(), 3);
   CommandStack(scene).run(std::make_unique<RenameSlide>(1, "other"));
