@@ -35,6 +35,10 @@ class InputReader {
                        " has no nodes; only .glb and .gltf have");
     }
     if (!is_scene || !read_scene()) read_whole();
+    if (is_scene && !input_.scene && command_.out && is_scene_name(*command_.out)) {
+      throw InputError(command_.model.string() +
+                       ": no node has a mesh, so slides and cage have no place in the scene: give its mesh a node");
+    }
     if (!command_.slides && input_.targets.size() == 1 && input_.targets.front().slides.empty()) {
       input_.notes.push_back("no slides are given, so the cage is a box; see --slides");
     }
@@ -90,12 +94,7 @@ class InputReader {
     if (!command_.slides && !with_slides.empty()) return with_slides;
     if (nodes.size() == 1) return nodes;
     const bool is_for_scene = command_.out && is_scene_name(*command_.out);
-    if (nodes.empty() && is_for_scene) {
-      throw InputError(
-          command_.model.string() +
-          ": no node has a mesh, so that slides and cage have no place in the scene: give its mesh a node");
-    }
-    if (!is_for_scene) return {};
+    if (nodes.empty() || !is_for_scene) return {};
     throw InputError(command_.model.string() + ": several nodes have a mesh, " + list_of(nodes) +
                      ": say with --node which one the slides cut");
   }

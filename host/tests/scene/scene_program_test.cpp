@@ -6,6 +6,7 @@
 
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_json.h"
 #include "host/scene/scene_document.h"
 #include "host/tests/run_program.h"
 #include "host/tests/scene/broken_scenes.h"
@@ -42,6 +43,19 @@ TEST(SceneProgram, RefusesBrokenScenesWithOneLineAndWritesNothing) {
 }
 
 TEST(SceneProgram, RefusesAFileWithoutMeshes) { expect_refused("holds_no_mesh.gltf", "no triangles"); }
+
+TEST(SceneProgram, DoesNotPutAnotherSceneInThePlaceOfOneWhoseMeshesHaveNoNodes) {
+  const TemporaryFolder folder;
+  GltfJson json = parse_gltf_json("a.gltf", read_bytes(own_scene("slides_plain.gltf")));
+  for (const char* key : {"scene", "scenes", "nodes", "extensionsUsed"}) json.erase(key);
+  const std::string before = gltf_json_text(json, 2), file = (folder / "a.gltf").string();
+  folder.write("a.gltf", before);
+  const ProgramRun run = run_program({"cage", file, "-o", file});
+  EXPECT_EQ(run.exit_code, 3) << run.errors;
+  EXPECT_NE(run.errors.find(file + ": no node has a mesh"), std::string::npos) << run.errors;
+  EXPECT_EQ(folder.read("a.gltf"), before);
+  EXPECT_EQ(run_program({"cage", file, "-o", (folder / "a.obj").string()}).exit_code, 0);
+}
 
 TEST(SceneProgram, SaysWhatItHadToMend) {
   const TemporaryFolder folder;
