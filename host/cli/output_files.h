@@ -21,10 +21,11 @@ void require_distinct(const std::vector<std::filesystem::path>& inputs,
 // that nobody reads. To be called before files get their names, so that a run fails as a whole.
 void flush_standard_output();
 
-// Writes the files that a run makes, and what `sum_up` prints on standard output: all files are wholly on disk under
-// temporary names and the summary is out before the first file gets its own, so that a run that fails or is interrupted
-// (host/cli/interrupt.h) leaves none. Afterwards interrupts are ignored. Throws UsageError where two files have the
-// same place, FileError (files that already have their names keep them), InputError and Cancelled.
+// Writes the files that a run makes, in folders that are made where they are not there, and what `sum_up` prints on
+// standard output: all files are wholly on disk under temporary names and the summary is out before the first file gets
+// its own, so that a run that fails or is interrupted (host/cli/interrupt.h) leaves none. Afterwards interrupts are
+// ignored. Throws UsageError where two files have the same place, FileError (files that already have their names keep
+// them), InputError and Cancelled.
 void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
                  const std::function<void()>& sum_up);
 

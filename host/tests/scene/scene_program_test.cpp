@@ -77,6 +77,31 @@ TEST(SceneProgram, TakesTheFilesOfAGltfAlong) {
   EXPECT_EQ(SceneDocument(out).cages().size(), 1u);
 }
 
+TEST(SceneProgram, MakesTheFoldersOfTheFilesThatItTakesAlong) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in/textures/wood");
+  std::filesystem::create_directories(folder / "out");
+  for (const char* ending : {"gltf", "bin"}) {
+    folder.write(std::string("in/material_external_image.") + ending,
+                 read_bytes(own_scene(std::string("material_external_image.") + ending)));
+  }
+  std::string text = folder.read("in/material_external_image.gltf");
+  const std::string image = "material_external_image.png";
+  text.replace(text.find(image), image.size(), "textures/wood/a.png");
+  folder.write("in/material_external_image.gltf", text);
+  folder.write("in/textures/wood/a.png", "wood");
+  const std::string in = (folder / "in/material_external_image.gltf").string();
+  const auto cage = [&](const std::string& slides) {
+    return run_program({"cage", in, "-o", (folder / "out/out.gltf").string(), "--slides", slides});
+  };
+  folder.write("wrong.json", "{}");
+  EXPECT_EQ(cage((folder / "wrong.json").string()).exit_code, 3);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/textures"));
+  folder.write("none.json", R"({"version": 1, "slides": []})");
+  EXPECT_EQ(cage((folder / "none.json").string()).exit_code, 0);
+  EXPECT_EQ(folder.read("out/textures/wood/a.png"), "wood");
+}
+
 TEST(SceneProgram, WritesNothingWhereAFileOfTheGltfWouldBeOverwritten) {
   const TemporaryFolder folder;
   folder.write("material_external_image.png", "another");
