@@ -9,15 +9,12 @@
 #include <map>
 #include <optional>
 
-#include "host/file/byte_order.h"
-#include "host/file/file_error.h"
+#include "host/file/gltf_packing.h"
 #include "host/scene/base64.h"
 
 namespace cagewright::host {
 namespace {
 
-constexpr int unsigned_short = 5123, unsigned_int = 5125, float_type = 5126;  // glTF's component types
-constexpr int array_buffer = 34962, element_array_buffer = 34963, triangles_mode = 4;
 constexpr char data_uri[] = "data:application/octet-stream;base64,";
 
 // The arrays of a file that hold a cage's geometry, and which of their items a block has.
@@ -158,48 +155,25 @@ std::vector<GltfJson> geometry_of(const GltfJson& json, const CageBlock& block) 
 
 // Mesh, positions, indices, their two views and the buffer.
 std::vector<GltfJson> make_geometry(const std::filesystem::path& path, const SceneCage& cage) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const TriangleMesh& mesh = cage.mesh;
-  std::string bytes;
-  std::array<double, 3> least{infinity, infinity, infinity}, most{-infinity, -infinity, -infinity};
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    if (!(std::abs(mesh.points[i]) <= double{std::numeric_limits<float>::max()})) {
-      throw FileError(
-          path, {},
-          "cannot be written: vertex " + std::to_string(i / 3) + " of the cage is too far out for glTF's floats");
-    }
-    const auto x = static_cast<float>(mesh.points[i]);
-    append_little_endian(bytes, x);
-    least[i % 3] = std::min(least[i % 3], double{x});
-    most[i % 3] = std::max(most[i % 3], double{x});
-  }
-  const std::size_t position_bytes = bytes.size();
-  const bool is_short = mesh.vertex_count() <= 65535;  // 65535 is the restart value of 16-bit indices and not allowed
-  for (const std::uint32_t index : mesh.triangles) {
-    if (is_short) {
-      append_little_endian(bytes, static_cast<std::uint16_t>(index));
-    } else {
-      append_little_endian(bytes, index);
-    }
-  }
-  const std::size_t index_bytes = bytes.size() - position_bytes;
-  bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
-  const GltfJson primitive = {{"attributes", {{"POSITION", 0}}}, {"indices", 0}, {"mode", triangles_mode}};
-  return {
-      {{"name", cage.name}, {"primitives", GltfJson::array({primitive})}},
-      {{"bufferView", 0},
-       {"componentType", float_type},
-       {"count", mesh.vertex_count()},
-       {"type", "VEC3"},
-       {"min", least},
-       {"max", most}},
-      {{"bufferView", 0},
-       {"componentType", is_short ? unsigned_short : unsigned_int},
-       {"count", mesh.triangles.size()},
-       {"type", "SCALAR"}},
-      {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", position_bytes}, {"target", array_buffer}},
-      {{"buffer", 0}, {"byteOffset", position_bytes}, {"byteLength", index_bytes}, {"target", element_array_buffer}},
-      {{"byteLength", bytes.size()}, {"uri", data_uri + base64(bytes)}}};
+  const PackedMesh packed = pack_mesh(path, cage.mesh);
+  const GltfJson primitive = {{"attributes", {{"POSITION", 0}}}, {"indices", 0}, {"mode", gltf_triangles}};
+  return {{{"name", cage.name}, {"primitives", GltfJson::array({primitive})}},
+          {{"bufferView", 0},
+           {"componentType", gltf_float},
+           {"count", cage.mesh.vertex_count()},
+           {"type", "VEC3"},
+           {"min", packed.least},
+           {"max", packed.most}},
+          {{"bufferView", 0},
+           {"componentType", packed.index_type},
+           {"count", cage.mesh.triangles.size()},
+           {"type", "SCALAR"}},
+          {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", packed.position_bytes}, {"target", gltf_array_buffer}},
+          {{"buffer", 0},
+           {"byteOffset", packed.position_bytes},
+           {"byteLength", packed.index_bytes},
+           {"target", gltf_element_array_buffer}},
+          {{"byteLength", packed.bytes.size()}, {"uri", data_uri + base64(packed.bytes)}}};
 }
 
 // The number that the array's next item gets.
