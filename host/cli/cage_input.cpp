@@ -62,6 +62,7 @@ class InputReader {
     const std::vector<SceneMeshNode> chosen = choose(scene);
     if (chosen.empty()) return false;
     note_all(scene.notes());
+    if (command_.out && is_scene_name(*command_.out)) note_all(scene.lost_as(is_binary_scene_name(*command_.out)));
     for (const SceneMeshNode& node : chosen) {
       MeshFile file = scene.mesh(node.node);
       note_all(file.notes);

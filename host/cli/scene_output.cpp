@@ -34,12 +34,16 @@ void add_slides(CommandStack& stack, const CageTarget& target, const Session& se
   }
 }
 
+std::string name_for_cage(const SceneDocument& scene, int node) {
+  const auto& nodes = scene.mesh_nodes();
+  const auto it = std::find_if(nodes.begin(), nodes.end(), [&](const SceneMeshNode& n) { return n.node == node; });
+  return it == nodes.end() || it->name.empty() ? "cage" : it->name + " cage";
+}
+
 SceneCage scene_cage(const SceneDocument& scene, const SolvedCage& solved, const Plugin& plugin, int node) {
   SceneCage cage;
   cage.mesh_node = node;
-  const auto& nodes = scene.mesh_nodes();
-  const auto it = std::find_if(nodes.begin(), nodes.end(), [&](const SceneMeshNode& n) { return n.node == node; });
-  cage.name = it == nodes.end() || it->name.empty() ? "cage" : it->name + " cage";
+  if (scene.find_cage(node) == nullptr) cage.name = name_for_cage(scene, node);
   cage.mesh = solved.cage;
   for (const Parameter& parameter : plugin.parameters()) {
     cage.parameters.emplace_back(parameter.id, solved.session->parameter(parameter.id));

@@ -22,14 +22,17 @@ int run_strip(const StripCommand& command) {
     if (!is_scene_name(*path)) throw UsageError(what + path->string() + ": a scene is a .glb or .gltf");
   }
   require_writable(command.out);
-  SceneDocument scene(command.scene);
+  const bool is_binary = is_binary_scene_name(command.out);
+  SceneDocument scene(command.scene, SceneDocument::Unreadable::stray);
   Progress progress(command.quiet);
-  for (const std::string& note : scene.notes()) progress.note(note);
-  const std::size_t slides = scene.slides().size(), cages = scene.cages().size();
+  for (const std::string& note : scene.lost_as(is_binary)) progress.note(note);
+  std::size_t slides = scene.slides().size(), cages = scene.cages().size();
+  for (const SceneStray& stray : scene.strays()) ++(stray.is_cage ? cages : slides);
   CommandStack stack(scene);
-  while (!scene.slides().empty()) stack.run(std::make_unique<RemoveSlide>(scene.slides().front().id));
-  while (!scene.cages().empty()) stack.run(std::make_unique<RemoveCage>(scene.cages().front().mesh_node));
-  const SceneDocument stripped = scene.copy_as(is_binary_scene_name(command.out));
+  while (!scene.slides().empty()) stack.run(std::make_unique<RemoveSlide>(scene.slides().back().id));
+  while (!scene.cages().empty()) stack.run(std::make_unique<RemoveCage>(scene.cages().back().mesh_node));
+  while (!scene.strays().empty()) stack.run(std::make_unique<RemoveStray>(scene.strays().size() - 1));
+  const SceneDocument stripped = scene.copy_as(is_binary);
   write_files(scene_files(stripped, command.out), [&] {
     std::cout << "taken out: " << counted(slides, "slide") << ", " << counted(cages, "cage") << "\n";
   });

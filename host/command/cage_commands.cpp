@@ -9,6 +9,7 @@
 
 #include "host/command/utf8.h"
 #include "host/file/file_error.h"
+#include "host/scene/slide_ids.h"
 
 namespace cagewright::host {
 namespace {
@@ -37,11 +38,13 @@ void check_geometry(const SceneCage& cage, const std::string& what) {
 void check_notes(const SceneCage& cage, const std::string& what) {
   if (!is_utf8(cage.name)) throw CommandError(what + ": its name " + in_quotes(cage.name) + " is not UTF-8");
   for (const auto& [id, value] : cage.parameters) {
+    if (!is_utf8(id)) throw CommandError(what + ": the name of the parameter " + in_quotes(id) + " is not UTF-8");
     if (!std::isfinite(value)) {
       throw CommandError(what + ": the parameter " + in_quotes(id) + " is not finite: give it a finite value");
     }
   }
-  if (std::any_of(cage.slides.begin(), cage.slides.end(), [](std::int64_t id) { return id < 1; })) {
+  if (std::any_of(cage.slides.begin(), cage.slides.end(),
+                  [](std::int64_t id) { return id < 1 || id > largest_slide_id; })) {
     throw CommandError(what + " names a slide without an id");
   }
   if (!cage.sections.empty() && cage.sections.size() != cage.mesh.vertex_count()) {
@@ -53,14 +56,14 @@ void check_notes(const SceneCage& cage, const std::string& what) {
     throw CommandError(what + ": vertex " + std::to_string(i) + " is in section " + std::to_string(cage.sections[i]) +
                        " of " + std::to_string(cage.slides.size()));
   }
-  if (!cage.certificate.empty() && !nlohmann::json::accept(cage.certificate)) {
-    throw CommandError(what + ": its certificate is not JSON");
+  if (!cage.certificate.empty() && !nlohmann::json::parse(cage.certificate, nullptr, false).is_object()) {
+    throw CommandError(what + ": its certificate is no JSON object");
   }
 }
 
 }  // namespace
 
-SetCage::SetCage(SceneCage cage) : cage_(std::move(cage)) { cage_.as_read = nullptr; }
+SetCage::SetCage(SceneCage cage) : cage_(std::move(cage)) {}
 std::string SetCage::label() const { return "set the cage of node " + std::to_string(cage_.mesh_node); }
 void SetCage::doIt(SceneDocument& document) {
   const std::string node = "node " + std::to_string(cage_.mesh_node);
@@ -72,6 +75,9 @@ void SetCage::doIt(SceneDocument& document) {
   check_geometry(cage_, "the cage of " + node);
   check_notes(cage_, "the cage of " + node);
   before_ = cage_of(document, cage_.mesh_node);
+  cage_.as_read = before_ ? before_->as_read : nullptr;
+  cage_.is_as_read = false;
+  if (before_ && cage_.name.empty()) cage_.name = before_->name;
   redoIt(document);
 }
 void SetCage::undoIt(SceneDocument& document) { document.set_cage(cage_.mesh_node, before_ ? &*before_ : nullptr); }
@@ -86,5 +92,17 @@ void RemoveCage::doIt(SceneDocument& document) {
 }
 void RemoveCage::undoIt(SceneDocument& document) { document.set_cage(mesh_node_, &*removed_); }
 void RemoveCage::redoIt(SceneDocument& document) { document.set_cage(mesh_node_, nullptr); }
+
+RemoveStray::RemoveStray(std::size_t row) : row_(row) {}
+std::string RemoveStray::label() const {
+  return std::string("remove the stray ") + (removed_.is_cage ? "cage " : "slide ") + in_quotes(removed_.name);
+}
+void RemoveStray::doIt(SceneDocument& document) {
+  if (row_ >= document.strays().size()) throw CommandError("there is no stray " + std::to_string(row_));
+  removed_ = document.strays()[row_];
+  redoIt(document);
+}
+void RemoveStray::undoIt(SceneDocument& document) { document.insert_stray(row_, removed_); }
+void RemoveStray::redoIt(SceneDocument& document) { document.remove_stray(row_); }
 
 }  // namespace cagewright::host

@@ -8,9 +8,11 @@
 
 namespace cagewright::host {
 
-// The cage of a mesh node, in the place of the one it had. doIt throws CommandError where a file could not hold it: no
-// such mesh node; no triangles, or one whose vertex is not there; positions beyond a float; a name that is no UTF-8; a
-// parameter that is not finite; sections of other vertices or slides than there are; a certificate that is not JSON.
+// The cage of a mesh node, in the place of the one it had: with its material, its children and what else others have
+// given to its node, and with its name where the new one has none. doIt throws CommandError where a file could not hold
+// it: no such mesh node; no triangles, or one whose vertex is not there; positions beyond a float; a name that is no
+// UTF-8; a parameter that is not finite; sections of other vertices or slides than there are; a certificate that is not
+// JSON.
 class SetCage : public Command {
  public:
   explicit SetCage(SceneCage cage);
@@ -36,6 +38,20 @@ class RemoveCage : public Command {
  private:
   int mesh_node_;
   std::optional<SceneCage> removed_;
+};
+
+// By its row among the document's strays. doIt throws CommandError: there is none.
+class RemoveStray : public Command {
+ public:
+  explicit RemoveStray(std::size_t row);
+  std::string label() const override;
+  void doIt(SceneDocument& document) override;
+  void undoIt(SceneDocument& document) override;
+  void redoIt(SceneDocument& document) override;
+
+ private:
+  std::size_t row_;
+  SceneStray removed_;
 };
 
 }  // namespace cagewright::host

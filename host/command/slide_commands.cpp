@@ -7,6 +7,7 @@
 
 #include "host/command/utf8.h"
 #include "host/file/file_error.h"
+#include "host/scene/slide_transform.h"
 
 namespace cagewright::host {
 namespace {
@@ -29,12 +30,10 @@ void check_name(const SceneDocument& document, int mesh_node, const std::string&
 }
 
 void check_ellipse(const std::string& name, const Slide::Ellipse& e) {
-  const Point3 cross = {e.u[1] * e.v[2] - e.u[2] * e.v[1], e.u[2] * e.v[0] - e.u[0] * e.v[2],
-                        e.u[0] * e.v[1] - e.u[1] * e.v[0]};
-  bool is_good = std::hypot(cross[0], cross[1], cross[2]) > 0;
-  for (const Point3& point : {e.center, e.u, e.v, cross}) {
-    for (const double value : point) is_good = is_good && std::isfinite(value);
-  }
+  const Eigen::Vector3d u = Eigen::Vector3d::Map(e.u.data()), v = Eigen::Vector3d::Map(e.v.data());
+  const Eigen::Vector3d cross = u.cross(v);
+  const bool is_good = Eigen::Vector3d::Map(e.center.data()).allFinite() && u.allFinite() && v.allFinite() &&
+                       cross.allFinite() && cross.stableNorm() > 0 && decompose(slide_transform(e));
   if (!is_good) {
     throw CommandError("slide " + in_quotes(name) +
                        ": its ellipse needs a finite centre and two finite radii that are not parallel");

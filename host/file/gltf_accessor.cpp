@@ -57,7 +57,9 @@ class AccessorReader {
     return model_.accessors[static_cast<std::size_t>(index)];
   }
 
-  std::size_t components() const { return accessor_.type == TINYGLTF_TYPE_VEC3 ? 3 : 1; }
+  std::size_t components() const {
+    return accessor_.type == TINYGLTF_TYPE_MAT4 ? 16 : accessor_.type == TINYGLTF_TYPE_VEC3 ? 3 : 1;
+  }
 
   std::size_t component_size() const { return component_size(accessor_.componentType); }
 
@@ -90,8 +92,9 @@ class AccessorReader {
     if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset) {
       fail("lies in a buffer view that is longer than its buffer");
     }
-    const bool fits = count == 0 || (offset <= view.byteLength && row_bytes <= view.byteLength - offset &&
-                                     count - 1 <= (view.byteLength - offset - row_bytes) / stride);
+    const bool fits =
+        offset <= view.byteLength && (count == 0 || (row_bytes <= view.byteLength - offset &&
+                                                     count - 1 <= (view.byteLength - offset - row_bytes) / stride));
     if (!fits) fail("does not fit in its buffer view");
     if (stride < row_bytes) fail("has rows that overlap");
     return {reinterpret_cast<const char*>(bytes.data()) + view.byteOffset + offset, stride};
@@ -164,6 +167,15 @@ class AccessorReader {
 std::vector<double> read_positions(const tinygltf::Model& model, int accessor) {
   const AccessorReader reader(model, accessor);
   if (reader.accessor().type != TINYGLTF_TYPE_VEC3) reader.fail("holds positions, but is not of type VEC3");
+  return reader.read();
+}
+
+std::vector<double> read_matrices(const tinygltf::Model& model, int accessor) {
+  const AccessorReader reader(model, accessor);
+  const bool is_float = reader.accessor().componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
+  if (reader.accessor().type != TINYGLTF_TYPE_MAT4 || !is_float) {
+    reader.fail("holds matrices, but is not a MAT4 of floats");
+  }
   return reader.read();
 }
 

@@ -11,12 +11,14 @@ class Model;
 
 namespace cagewright::host {
 
-// Both decode what tinygltf leaves to its users: strides, integer and normalised components, and sparse accessors.
+// All decode what tinygltf leaves to its users: strides, integer and normalised components, and sparse accessors.
 // `accessor` is an index of `model`. Throw std::runtime_error with a reason that names the accessor where it does not
 // fit its buffers or is of another type.
 
 // A VEC3 accessor, count x 3, as it is: not checked for NaN. O(count).
 std::vector<double> read_positions(const tinygltf::Model& model, int accessor);
+// A MAT4 accessor of floats, count x 16, each column by column: not checked for NaN. O(count).
+std::vector<double> read_matrices(const tinygltf::Model& model, int accessor);
 // A SCALAR accessor of unsigned integers. O(count).
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor);
 

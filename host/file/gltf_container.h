@@ -23,8 +23,8 @@ struct GltfContainer {
 GltfJson parse_container_json(const std::filesystem::path& path, const GltfContainer& container);
 
 // Throws FileError: empty, cut short, of another version than 2, chunk lengths that are no multiples of 4 or reach
-// beyond the file, a first chunk that is not JSON. A file that does not begin with "glTF" is all JSON, but a .glb has
-// to.
+// beyond the file, a first chunk that is not JSON. A file that does not begin with "glTF" is all JSON; of a
+// .glb it has to be a JSON object at least.
 GltfContainer split_gltf(const std::filesystem::path& path, std::string_view bytes);
 
 // The file with other JSON. Throws FileError where it would be longer than 4 GiB.

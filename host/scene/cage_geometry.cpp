@@ -154,35 +154,34 @@ std::vector<GltfJson> geometry_of(const GltfJson& json, const CageBlock& block) 
 }
 
 // Mesh, positions, indices, their two views and the buffer.
-std::vector<GltfJson> make_geometry(const std::filesystem::path& path, const SceneCage& cage) {
-  const PackedMesh packed = pack_mesh(path, cage.mesh);
+std::vector<GltfJson> make_geometry(const std::filesystem::path& path, const TriangleMesh& mesh,
+                                    const std::string& name) {
+  const PackedMesh packed = pack_mesh(path, mesh);
   const GltfJson primitive = {{"attributes", {{"POSITION", 0}}}, {"indices", 0}, {"mode", gltf_triangles}};
-  return {{{"name", cage.name}, {"primitives", GltfJson::array({primitive})}},
-          {{"bufferView", 0},
-           {"componentType", gltf_float},
-           {"count", cage.mesh.vertex_count()},
-           {"type", "VEC3"},
-           {"min", packed.least},
-           {"max", packed.most}},
-          {{"bufferView", 0},
-           {"componentType", packed.index_type},
-           {"count", cage.mesh.triangles.size()},
-           {"type", "SCALAR"}},
-          {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", packed.position_bytes}, {"target", gltf_array_buffer}},
-          {{"buffer", 0},
-           {"byteOffset", packed.position_bytes},
-           {"byteLength", packed.index_bytes},
-           {"target", gltf_element_array_buffer}},
-          {{"byteLength", packed.bytes.size()}, {"uri", data_uri + base64(packed.bytes)}}};
+  return {
+      {{"name", name}, {"primitives", GltfJson::array({primitive})}},
+      {{"bufferView", 0},
+       {"componentType", gltf_float},
+       {"count", mesh.vertex_count()},
+       {"type", "VEC3"},
+       {"min", packed.least},
+       {"max", packed.most}},
+      {{"bufferView", 0}, {"componentType", packed.index_type}, {"count", mesh.triangles.size()}, {"type", "SCALAR"}},
+      {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", packed.position_bytes}, {"target", gltf_array_buffer}},
+      {{"buffer", 0},
+       {"byteOffset", packed.position_bytes},
+       {"byteLength", packed.index_bytes},
+       {"target", gltf_element_array_buffer}},
+      {{"byteLength", packed.bytes.size()}, {"uri", data_uri + base64(packed.bytes)}}};
 }
 
 // The number that the array's next item gets.
-int next_item(GltfJson& json, const char* array, std::set<std::string>& filled) {
+int next_item(const SceneBase& base, GltfJson& json, const char* array, std::set<std::string>& filled) {
   GltfJson* items = find_key(json, array);
   if (items == nullptr) {
     json[array] = GltfJson::array();
     items = find_key(json, array);
-  } else if (items->empty()) {
+  } else if (items->empty() && base.drops.count(pointer_to(array)) == 0) {
     filled.insert(pointer_to(array));
   }
   items->push_back(nullptr);
@@ -201,72 +200,112 @@ void place_geometry(std::vector<GltfJson> geometry, const CageBlock& block, Gltf
   }
 }
 
-}  // namespace
+// What a place holds that others' numbers keep, and no cage uses: one point.
+std::vector<GltfJson> least_geometry() {
+  TriangleMesh point;
+  point.points = {0, 0, 0};
+  point.triangles = {0, 0, 0};
+  return make_geometry({}, point, "");
+}
 
-void detach_cage_geometry(SceneBase& base, SceneContent& content) {
-  if (content.cages.empty()) return;
-  const Uses uses(base.json);
-  std::vector<CageBlock> blocks;
-  std::vector<std::pair<SceneCage*, CageBlock>> own;
-  for (SceneCage& cage : content.cages) {
-    const auto block = block_of(base.json, cage.as_read->mesh);
-    if (!block || !uses.only_own(*block)) continue;
-    own.emplace_back(&cage, *block);
-    const auto is_same = [&](const CageBlock& other) { return other.mesh == block->mesh; };
-    if (std::none_of(blocks.begin(), blocks.end(), is_same)) blocks.push_back(*block);
+// A cage's new geometry, which looks like the one that it had.
+std::vector<GltfJson> new_geometry(const std::filesystem::path& path, const SceneCage& cage, const SceneBase& base) {
+  std::vector<GltfJson> geometry = make_geometry(path, cage.mesh, cage.name);
+  const CageAsRead* read = cage.as_read.get();
+  if (read == nullptr) return geometry;
+  const GltfJson* before = read->mesh >= 0 ? item(base.json, "meshes", read->mesh) : read->geometry.data();
+  const GltfJson* primitives = before ? find_key(*before, "primitives") : nullptr;
+  if (primitives == nullptr || !primitives->is_array() || primitives->empty()) return geometry;
+  if (const GltfJson* material = find_key((*primitives)[0], "material")) {
+    geometry[0]["primitives"][0]["material"] = *material;
   }
-  const bool at_the_end = are_last(base.json, blocks);
-  std::set<int> meshes;
-  for (const auto& [cage, block] : own) {
-    CageAsRead as_read = *cage->as_read;
-    as_read.mesh = -1;
-    as_read.geometry = geometry_of(base.json, block);
-    // Of cages that share a mesh, as copies of a mesh node do, the first gets the place and the others new ones.
-    if (meshes.insert(block.mesh).second && !at_the_end) {
-      as_read.block = static_cast<int>(base.blocks.size());
-      base.blocks.push_back(block);
-    }
-    cage->as_read = std::make_shared<CageAsRead>(std::move(as_read));
-  }
-  if (!at_the_end || own.empty()) return;
+  return geometry;
+}
+
+void take_out(SceneBase& base, const std::vector<CageBlock>& blocks) {
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     GltfJson& array = *find_key(base.json, arrays[a]);
     for (const CageBlock& block : blocks)
       array.erase(array.end() - static_cast<std::ptrdiff_t>(items_of(block, a).size()), array.end());
-    if (array.empty() && base.keeps.count(pointer_to(arrays[a])) == 0) base.json.erase(arrays[a]);
+    if (array.empty() && base.keeps.count(pointer_to(arrays[a])) == 0) base.drops.insert(pointer_to(arrays[a]));
   }
 }
 
-std::vector<int> attach_cage_geometry(const std::filesystem::path& path, const SceneBase& base,
-                                      const SceneContent& content, GltfJson& json, std::set<std::string>& filled) {
-  std::set<int> taken;
-  for (const SceneCage& cage : content.cages) {
-    if (cage.as_read && cage.as_read->block >= 0) taken.insert(cage.as_read->block);
+}  // namespace
+
+void detach_cage_geometry(SceneBase& base, SceneContent& content) {
+  std::vector<std::shared_ptr<const CageAsRead>*> cages;
+  for (SceneCage& cage : content.cages) cages.push_back(&cage.as_read);
+  for (SceneStray& stray : content.strays) {
+    if (stray.as_read->mesh >= 0) cages.push_back(&stray.as_read);
   }
-  const auto block_for = [&](const SceneCage& cage) {
-    if (cage.as_read && cage.as_read->block >= 0) return base.blocks[static_cast<std::size_t>(cage.as_read->block)];
+  if (cages.empty()) return;
+  const Uses uses(base.json);
+  std::vector<CageBlock> blocks;
+  std::vector<std::pair<std::shared_ptr<const CageAsRead>*, CageBlock>> own;
+  std::set<int> meshes;
+  for (auto* cage : cages) {
+    const auto block = block_of(base.json, (*cage)->mesh);
+    if (!block || !uses.only_own(*block)) continue;
+    own.emplace_back(cage, *block);
+    if (meshes.insert(block->mesh).second) blocks.push_back(*block);
+  }
+  if (own.empty()) return;
+  const bool at_the_end = are_last(base.json, blocks);
+  for (const auto& [cage, block] : own) {
+    CageAsRead as_read = **cage;
+    as_read.mesh = -1;
+    as_read.geometry = geometry_of(base.json, block);
+    // Of cages that share a mesh, as copies of a mesh node do, the first gets the place and the others new ones.
+    if (meshes.erase(block.mesh) > 0 && !at_the_end) {
+      as_read.block = static_cast<int>(base.blocks.size());
+      base.blocks.push_back(block);
+    }
+    *cage = std::make_shared<CageAsRead>(std::move(as_read));
+  }
+  if (at_the_end) {
+    take_out(base, blocks);
+  } else {
+    for (const CageBlock& block : blocks) place_geometry(least_geometry(), block, base.json);
+  }
+}
+
+CageMeshes attach_cage_geometry(const std::filesystem::path& path, const SceneBase& base, const SceneContent& content,
+                                const std::vector<bool>& is_new, GltfJson& json, std::set<std::string>& filled) {
+  std::set<int> taken;
+  const auto take = [&](const CageAsRead* read) {
+    if (read && read->block >= 0) taken.insert(read->block);
+  };
+  for (const SceneCage& cage : content.cages) take(cage.as_read.get());
+  for (const SceneStray& stray : content.strays) take(stray.as_read.get());
+  const auto block_for = [&](const CageAsRead* read) {
+    if (read && read->block >= 0) return base.blocks[static_cast<std::size_t>(read->block)];
     for (int free = 0; free < static_cast<int>(base.blocks.size()); ++free) {
       if (taken.insert(free).second) return base.blocks[static_cast<std::size_t>(free)];
     }
+    const auto next = [&](const char* array) { return next_item(base, json, array, filled); };
     CageBlock block;
-    block.mesh = next_item(json, "meshes", filled);
-    block.positions = next_item(json, "accessors", filled);
-    block.indices = next_item(json, "accessors", filled);
-    block.position_view = next_item(json, "bufferViews", filled);
-    block.index_view = next_item(json, "bufferViews", filled);
-    block.buffer = next_item(json, "buffers", filled);
+    block.mesh = next("meshes");
+    block.positions = next("accessors");
+    block.indices = next("accessors");
+    block.position_view = next("bufferViews");
+    block.index_view = next("bufferViews");
+    block.buffer = next("buffers");
     return block;
   };
-  std::vector<int> meshes;
-  for (const SceneCage& cage : content.cages) {
-    if (cage.as_read && cage.as_read->mesh >= 0) {
-      meshes.push_back(cage.as_read->mesh);
-      continue;
-    }
-    const CageBlock block = block_for(cage);
-    place_geometry(cage.as_read ? cage.as_read->geometry : make_geometry(path, cage), block, json);
-    meshes.push_back(block.mesh);
+  const auto attach = [&](const CageAsRead* read, const SceneCage* made_anew) {
+    if (!made_anew && read->mesh >= 0) return read->mesh;
+    if (!made_anew && read->geometry.empty()) return -1;
+    const CageBlock block = block_for(read);
+    place_geometry(made_anew ? new_geometry(path, *made_anew, base) : read->geometry, block, json);
+    return block.mesh;
+  };
+  CageMeshes meshes;
+  for (std::size_t k = 0; k < content.cages.size(); ++k) {
+    const SceneCage& cage = content.cages[k];
+    meshes.cages.push_back(attach(cage.as_read.get(), is_new[k] ? &cage : nullptr));
   }
+  for (const SceneStray& stray : content.strays) meshes.strays.push_back(attach(stray.as_read.get(), nullptr));
   return meshes;
 }
 

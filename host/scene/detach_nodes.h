@@ -12,10 +12,14 @@ namespace cagewright::host {
 // extras of others.
 bool has_content_of_others(const GltfJson& node, bool is_cage);
 
-// Takes the nodes of the content's slides and cages out of the base, and our extensions out of those that are pinned
-// and of extensionsUsed; sets their homes. The nodes are given in the content's order. O(size of the nodes).
-void detach_nodes(SceneBase& base, SceneContent& content, const std::vector<int>& slide_nodes,
-                  const std::vector<int>& cage_nodes);
+// The nodes of the content's slides, cages and strays, in its order.
+struct OwnNodes {
+  std::vector<int> slides, cages, strays;
+};
+
+// Takes them out of the base, and our extensions out of those that are pinned and of extensionsRequired; sets their
+// homes. O(size of the nodes).
+void detach_nodes(SceneBase& base, SceneContent& content, const OwnNodes& own);
 
 }  // namespace cagewright::host
 

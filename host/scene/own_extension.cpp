@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scene/own_extension.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/file/file_error.h"
 #include "host/file/gltf_own_nodes.h"
+#include "host/scene/slide_ids.h"
 
 namespace cagewright::host {
 namespace {
+
+constexpr char keeps_key[] = "keeps", source_name_key[] = "source_name";
 
 // Reads one extension's object; every refusal names the node and the key.
 class OwnReader {
@@ -40,17 +44,30 @@ class OwnReader {
   }
 
   // Tools whose numbers are all doubles write 3.0 for 3.
+  std::optional<std::int64_t> whole(const GltfJson& json) const {
+    const auto number = number_in(json);
+    if (!number || *number != std::floor(*number) || std::abs(*number) > static_cast<double>(largest_slide_id))
+      return {};
+    return static_cast<std::int64_t>(*number);
+  }
+
   std::int64_t id_in(const GltfJson& json, const char* key, const char* wanted) const {
-    const double id = number_in(json).value_or(0);
-    if (!(id >= 1 && id <= static_cast<double>(largest_slide_id)) || id != std::floor(id)) fail(key, wanted);
-    return static_cast<std::int64_t>(id);
+    const std::int64_t id = whole(json).value_or(0);
+    if (id < 1) fail(key, wanted);
+    return id;
+  }
+
+  std::string source_name() const {
+    const GltfJson* found = find(source_name_key);
+    if (found && !found->is_string()) fail(source_name_key, "a string");
+    return found ? found->get<std::string>() : "";
   }
 
   std::vector<std::string> keeps() const {
     std::vector<std::string> pointers;
-    if (const GltfJson* found = array("keeps", "an array of strings")) {
+    if (const GltfJson* found = array(keeps_key, "an array of strings")) {
       for (const GltfJson& pointer : *found) {
-        if (!pointer.is_string()) fail("keeps", "an array of strings");
+        if (!pointer.is_string()) fail(keeps_key, "an array of strings");
         pointers.push_back(pointer.get<std::string>());
       }
     }
@@ -70,22 +87,42 @@ GltfJson& object_at(GltfJson& node, const char* key) {
   return node[key] = GltfJson::object();
 }
 
+// Whether two values say the same, however their numbers are written.
+bool say_the_same(const GltfJson& a, const GltfJson& b) {
+  if (const auto number = number_in(a)) return number == number_in(b);
+  if (a.type() != b.type() || a.size() != b.size()) return false;
+  if (a.is_array()) return std::equal(a.begin(), a.end(), b.begin(), say_the_same);
+  if (!a.is_object()) return a == b;
+  for (const auto& [key, value] : a.items()) {
+    const GltfJson* other = find_key(b, key);
+    if (other == nullptr || !say_the_same(value, *other)) return false;
+  }
+  return true;
+}
+
+// The keys that are ours get these values, or go where they have none.
+void merge(const char* extension, const std::vector<const char*>& own_keys, const GltfJson& values, GltfJson& holder) {
+  GltfJson& own = object_at(holder, extension);
+  for (const char* key : own_keys) {
+    const GltfJson* value = find_key(values, key);
+    if (value == nullptr) {
+      own.erase(key);
+    } else if (const GltfJson* before = find_key(own, key); before == nullptr || !say_the_same(*before, *value)) {
+      own[key] = *value;
+    }
+  }
+}
+
 // The extension's object, and the shadow where `extras` are free for it.
-void write_own(const char* extension, GltfJson value, GltfJson shadow, GltfJson& node) {
-  object_at(node, "extensions")[extension] = std::move(value);
+void write_own(const char* extension, const std::vector<const char*>& own_keys, const GltfJson& values,
+               const std::vector<const char*>& shadow_keys, GltfJson& node) {
+  merge(extension, own_keys, values, object_at(node, "extensions"));
   const GltfJson* extras = find_key(node, "extras");
-  if (extras == nullptr || extras->is_object()) object_at(node, "extras")[extension] = std::move(shadow);
+  if (extras && !extras->is_object()) return;
+  merge(extension, shadow_keys, values, object_at(node, "extras"));
 }
 
 }  // namespace
-
-std::int64_t free_slide_id(const std::set<std::int64_t>& taken) {
-  if (taken.empty()) return 1;
-  if (*taken.rbegin() < largest_slide_id) return *taken.rbegin() + 1;
-  std::int64_t id = 1;
-  while (taken.count(id) > 0) ++id;
-  return id;
-}
 
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
                                        const GltfJson& node) {
@@ -115,15 +152,16 @@ OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const 
       (*own.fitted)[i] = *number;
     }
   }
+  own.source_name = reader.source_name();
   own.keeps = reader.keeps();
   return own;
 }
 
-SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const GltfJson& node,
-                              std::set<std::string>& keeps) {
+OwnCageExtension read_cage_extension(const std::filesystem::path& path, const std::string& place,
+                                     const GltfJson& node) {
   const OwnReader reader(path, place, cage_extension, node);
   SceneCage cage;
-  if (const GltfJson* source = reader.find("source"); source && !source->is_number_integer()) {
+  if (const GltfJson* source = reader.find("source"); source && !reader.whole(*source)) {
     reader.fail("source", "the number of a node");
   }
   if (const GltfJson* parameters = reader.find("parameters")) {
@@ -139,37 +177,40 @@ SceneCage read_cage_extension(const std::filesystem::path& path, const std::stri
   }
   if (const GltfJson* sections = reader.array("sections", "an array of rows of \"slides\", or -1")) {
     for (const GltfJson& row : *sections) {
-      const bool is_row = row.is_number_integer() && row.get<std::int64_t>() >= -1 &&
-                          row.get<std::int64_t>() < static_cast<std::int64_t>(cage.slides.size());
+      const auto section = reader.whole(row);
+      const bool is_row = section && *section >= -1 && *section < static_cast<std::int64_t>(cage.slides.size());
       if (!is_row) reader.fail("sections", "an array of rows of \"slides\", or -1");
-      cage.sections.push_back(row.get<int>());
+      cage.sections.push_back(static_cast<int>(*section));
     }
   }
   if (const GltfJson* certificate = reader.find("certificate")) {
     if (!certificate->is_object()) reader.fail("certificate", "an object");
     cage.certificate = gltf_json_text(*certificate);
   }
-  for (std::string& pointer : reader.keeps()) keeps.insert(std::move(pointer));
-  return cage;
+  return {std::move(cage), reader.source_name(), reader.keeps()};
 }
 
-void write_slide_extension(const SceneSlide& slide, const std::optional<TranslationRotationScale>& fitted,
-                           GltfJson& node) {
-  GltfJson own = {{"id", slide.id}};
+void write_slide_extension(const SceneSlide& slide, const SourceNode& source,
+                           const std::optional<TranslationRotationScale>& fitted, GltfJson& node) {
+  GltfJson values = {{"id", slide.id}};
+  if (!source.name.empty()) values[source_name_key] = source.name;
   if (!slide.stroke.empty() && fitted) {
-    own["stroke"] = slide.stroke;
-    own["fitted"] = *fitted;
+    values["stroke"] = slide.stroke;
+    values["fitted"] = *fitted;
   }
-  write_own(slide_extension, std::move(own), {{"id", slide.id}}, node);
+  write_own(slide_extension, {"id", source_name_key, "stroke", "fitted", keeps_key}, values, {"id", source_name_key},
+            node);
 }
 
-void write_cage_extension(const SceneCage& cage, int source, GltfJson& node) {
-  GltfJson own = {{"source", source}, {"parameters", GltfJson::object()}};
-  for (const auto& [id, value] : cage.parameters) own["parameters"][id] = value;
-  own["slides"] = cage.slides;
-  own["sections"] = cage.sections;
-  if (!cage.certificate.empty()) own["certificate"] = parse_gltf_json({}, cage.certificate);
-  write_own(cage_extension, std::move(own), {{"slides", cage.slides}}, node);
+void write_cage_extension(const SceneCage& cage, const SourceNode& source, GltfJson& node) {
+  GltfJson values = {{"source", source.node}, {"parameters", GltfJson::object()}};
+  if (!source.name.empty()) values[source_name_key] = source.name;
+  for (const auto& [id, value] : cage.parameters) values["parameters"][id] = value;
+  values["slides"] = cage.slides;
+  values["sections"] = cage.sections;
+  if (!cage.certificate.empty()) values["certificate"] = parse_gltf_json({}, cage.certificate);
+  write_own(cage_extension, {"source", source_name_key, "parameters", "slides", "sections", "certificate", keeps_key},
+            values, {source_name_key, "slides"}, node);
 }
 
 void write_keeps(const std::set<std::string>& keeps, GltfJson& node) {
@@ -177,8 +218,7 @@ void write_keeps(const std::set<std::string>& keeps, GltfJson& node) {
   for (const char* extension : {slide_extension, cage_extension}) {
     GltfJson* own = find_key(extensions, extension);
     if (own == nullptr) continue;
-    own->erase("keeps");
-    if (!keeps.empty()) (*own)["keeps"] = keeps;
+    if (!keeps.empty()) (*own)[keeps_key] = keeps;
     return;
   }
 }

@@ -18,27 +18,34 @@ namespace cagewright::host {
 
 struct OwnSlideExtension {
   std::int64_t id = 0;
+  std::string source_name;  // of the mesh node; may be empty
   std::vector<Point3> stroke;
   std::optional<TranslationRotationScale> fitted;
   std::vector<std::string> keeps;
 };
 
-// What every JSON reader can hold as a whole number.
-inline constexpr std::int64_t largest_slide_id = std::int64_t{1} << 53;
-// An id that is not taken: the next after the largest, where there is one.
-std::int64_t free_slide_id(const std::set<std::int64_t>& taken);
+struct OwnCageExtension {
+  SceneCage cage;  // its parameters, slides, sections and certificate
+  std::string source_name;
+  std::vector<std::string> keeps;
+};
 
-// Of a whole node. Throws FileError, with `place` before the reason, where a value is of the wrong type.
+// Of a whole node. Throw FileError, with `place` before the reason, where a value is of the wrong type.
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
                                        const GltfJson& node);
-// Parameters, slides, sections and certificate; adds to `keeps`. Throws as above.
-SceneCage read_cage_extension(const std::filesystem::path& path, const std::string& place, const GltfJson& node,
-                              std::set<std::string>& keeps);
+OwnCageExtension read_cage_extension(const std::filesystem::path& path, const std::string& place, const GltfJson& node);
 
-// Put the extension and its shadow in `extras` into a node; what others have there stays.
-void write_slide_extension(const SceneSlide& slide, const std::optional<TranslationRotationScale>& fitted,
-                           GltfJson& node);
-void write_cage_extension(const SceneCage& cage, int source, GltfJson& node);
+// The mesh node that a slide or a cage belongs to.
+struct SourceNode {
+  int node = -1;
+  std::string name;
+};
+
+// Put the extension and its shadow in `extras` into a node. What others have there stays, also in the extension, and
+// so does the text of numbers that are the same.
+void write_slide_extension(const SceneSlide& slide, const SourceNode& source,
+                           const std::optional<TranslationRotationScale>& fitted, GltfJson& node);
+void write_cage_extension(const SceneCage& cage, const SourceNode& source, GltfJson& node);
 // On any node that has one of ours.
 void write_keeps(const std::set<std::string>& keeps, GltfJson& node);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "host/file/gltf_own_nodes.h"
 #include "host/scene/cage_geometry.h"
@@ -10,6 +11,8 @@
 
 namespace cagewright::host {
 namespace {
+
+bool is_own_name(const GltfJson& name) { return name == slide_extension || name == cage_extension; }
 
 bool same_ellipse(const Slide::Ellipse& a, const Slide::Ellipse& b) {
   return a.center == b.center && a.u == b.u && a.v == b.v;
@@ -36,20 +39,18 @@ class PuttingTogether {
       : path_(path), base_(base), content_(content), json_(base.json), holes_(base.holes) {}
 
   GltfJson run() {
-    if (find_key(json_, "nodes") == nullptr) return std::move(json_);
-    for (const SceneSlide& slide : content_.slides) {
-      claim(slide);
-      const SlideAsRead* read = slide.as_read.get();
-      if (read && read->home >= 0 && !same_ellipse(slide.ellipse, read->ellipse)) moved_.insert(read->home);
+    if (find_key(json_, "nodes") != nullptr) {
+      for (const SceneSlide& slide : content_.slides) claim(slide);
+      for (const SceneCage& cage : content_.cages) claim(cage);
+      for (const SceneStray& stray : content_.strays) claim(stray);
+      for (const SceneSlide& slide : content_.slides) add(slide);
+      add_cages();
+      link_children();
+      drop_holes_at_the_end();
+      name_extensions();
+      if (first_own_ >= 0) write_keeps(filled_, node(first_own_));
     }
-    for (const SceneCage& cage : content_.cages) claim(cage);
-    for (const SceneSlide& slide : content_.slides) add(slide);
-    const std::vector<int> meshes = attach_cage_geometry(path_, base_, content_, json_, filled_);
-    for (std::size_t k = 0; k < meshes.size(); ++k) add(content_.cages[k], meshes[k]);
-    link_children();
-    drop_holes_at_the_end();
-    name_extensions();
-    if (first_own_ >= 0) write_keeps(filled_, node(first_own_));
+    for (const std::string& pointer : base_.drops) drop(pointer);
     return std::move(json_);
   }
 
@@ -61,6 +62,31 @@ class PuttingTogether {
   void claim(const Own& own) {
     if (own.as_read && own.as_read->home >= 0) holes_.erase(own.as_read->home);
   }
+  void claim(const SceneSlide& slide) {
+    const SlideAsRead* read = slide.as_read.get();
+    if (read == nullptr || read->home < 0) return;
+    holes_.erase(read->home);
+    if (!same_ellipse(slide.ellipse, read->ellipse)) moved_.insert(read->home);
+  }
+
+  // Whether a slide above has another transform by now; what a tool has put below it does not move with it.
+  bool is_carried(const NodeAsRead* read) {
+    std::vector<int> way;
+    for (int carrier = read ? read->carrier : -1; carrier >= 0;) {
+      const auto known = carries_.find(carrier);
+      const bool carries = known != carries_.end() ? known->second : moved_.count(carrier) > 0;
+      if (known != carries_.end() || carries) {
+        for (const int below : way) carries_[below] = carries;
+        carries_[carrier] = carries;
+        return carries;
+      }
+      way.push_back(carrier);
+      const auto next = base_.carriers.find(carrier);
+      carrier = next == base_.carriers.end() ? -1 : next->second;
+    }
+    for (const int carrier : way) carries_[carrier] = false;
+    return false;
+  }
 
   // A place for a node: its own, an empty one, or a new one at the end.
   int place_for(int home) {
@@ -70,27 +96,47 @@ class PuttingTogether {
     return static_cast<int>(nodes().size()) - 1;
   }
 
-  void put(int index, GltfJson value) {
+  int put(const NodeAsRead* read, GltfJson value, int parent) {
+    const int index = place_for(read ? read->home : -1);
     node(index) = std::move(value);
+    if (!read || !read->is_pinned) parents_[index] = parent;
+    return index;
+  }
+  void put_own(const NodeAsRead* read, GltfJson value, int parent) {
+    const int index = put(read, std::move(value), parent);
     first_own_ = first_own_ < 0 ? index : std::min(first_own_, index);
+  }
+
+  void note_filled(const std::string& pointer) {
+    if (base_.drops.count(pointer) == 0) filled_.insert(pointer);
   }
 
   // Adds our nodes to their parents' children: by number, so that a file that is read and written again stays the same.
   void link_children() {
     for (const auto& [child, parent] : parents_) {
+      if (parent < 0) continue;
       GltfJson& children = node(parent)["children"];
       if (children.is_null()) {
         children = GltfJson::array();
       } else if (children.empty()) {
-        filled_.insert("/nodes/" + std::to_string(parent) + "/children");
+        note_filled("/nodes/" + std::to_string(parent) + "/children");
       }
       children.push_back(child);
+    }
+    link_roots();
+  }
+
+  void link_roots() {
+    std::sort(roots_.begin(), roots_.end());
+    std::map<int, int> inserted;
+    for (const auto& [scene, place, child] : roots_) {
+      GltfJson& roots = json_["scenes"][static_cast<std::size_t>(scene)]["nodes"];
+      roots.insert(roots.begin() + place + inserted[scene]++, child);
     }
   }
 
   // The node that was read, with the children that are in its place now.
-  template <typename AsRead>
-  GltfJson node_of(const AsRead& read) {
+  GltfJson node_of(const NodeAsRead& read) {
     GltfJson value = read.node;
     if (!read.is_pinned) return value;
     if (const GltfJson* children = find_key(node(read.home), "children")) {
@@ -101,16 +147,19 @@ class PuttingTogether {
     return value;
   }
 
+  SourceNode source_of(int mesh_node) {
+    const GltfJson* name = find_key(node(mesh_node), "name");
+    return {mesh_node, name && name->is_string() ? name->get<std::string>() : ""};
+  }
+
   void add(const SceneSlide& slide) {
     const SlideAsRead* read = slide.as_read.get();
     const Eigen::Affine3d transform = slide_transform(slide.ellipse);
-    // A slide that a tool has put below another one does not move with it.
-    const bool is_carried = read && std::any_of(read->carriers.begin(), read->carriers.end(),
-                                                [this](int carrier) { return moved_.count(carrier) > 0; });
+    const bool carried = is_carried(read);
     const bool is_unchanged =
-        read && same_ellipse(slide.ellipse, read->ellipse) && (slide.stroke.empty() || read->fitted) && !is_carried;
+        read && same_ellipse(slide.ellipse, read->ellipse) && (slide.stroke.empty() || read->fitted) && !carried;
     const auto fitted = is_unchanged ? read->fitted : decompose(transform);
-    bool keeps_parent = read && (read->parent >= 0 || read->is_pinned) && !is_carried;
+    bool keeps_parent = read && (read->parent >= 0 || read->is_pinned) && !carried;
     std::optional<TranslationRotationScale> local;
     if (keeps_parent && !is_unchanged) {
       local = under_parent(*read, transform);
@@ -123,21 +172,42 @@ class PuttingTogether {
     GltfJson value = read ? node_of(*read) : GltfJson::object();
     value["name"] = slide.name;
     if (local) write_transform(*local, value);
-    write_slide_extension(slide, fitted, value);
-    const int index = place_for(read ? read->home : -1);
-    put(index, std::move(value));
-    if (!read || !read->is_pinned) parents_[index] = keeps_parent ? read->parent : slide.mesh_node;
+    write_slide_extension(slide, source_of(slide.mesh_node), fitted, value);
+    put_own(read, std::move(value), keeps_parent ? read->parent : slide.mesh_node);
   }
 
-  void add(const SceneCage& cage, int mesh) {
+  void add_cages() {
+    std::vector<bool> is_new;
+    for (const SceneCage& cage : content_.cages) is_new.push_back(!cage.is_as_read || is_carried(cage.as_read.get()));
+    const CageMeshes meshes = attach_cage_geometry(path_, base_, content_, is_new, json_, filled_);
+    for (std::size_t k = 0; k < content_.cages.size(); ++k) add(content_.cages[k], is_new[k], meshes.cages[k]);
+    for (std::size_t k = 0; k < content_.strays.size(); ++k) add(content_.strays[k], meshes.strays[k]);
+  }
+
+  // A new geometry is in the mesh node's space, so its node has no transform and no skin.
+  void add(const SceneCage& cage, bool is_new, int mesh) {
     const CageAsRead* read = cage.as_read.get();
+    const bool keeps_parent = read && (!is_new || (!read->is_elsewhere && !is_carried(read)));
+    if (read && read->is_pinned && !keeps_parent) read = nullptr;  // as for slides
     GltfJson value = read ? node_of(*read) : GltfJson::object();
+    if (is_new) {
+      for (const char* key : {"skin", "weights"}) value.erase(key);
+      if (!keeps_parent) {
+        for (const char* key : {"translation", "rotation", "scale", "matrix"}) value.erase(key);
+      }
+    }
     if (!cage.name.empty()) value["name"] = cage.name;
     value["mesh"] = mesh;
-    write_cage_extension(cage, cage.mesh_node, value);
-    const int index = place_for(read ? read->home : -1);
-    put(index, std::move(value));
-    if (!read || !read->is_pinned) parents_[index] = read ? read->parent : cage.mesh_node;
+    write_cage_extension(cage, source_of(cage.mesh_node), value);
+    put_own(read, std::move(value), keeps_parent ? read->parent : cage.mesh_node);
+  }
+
+  void add(const SceneStray& stray, int mesh) {
+    const CageAsRead& read = *stray.as_read;
+    GltfJson value = node_of(read);
+    if (mesh >= 0) value["mesh"] = mesh;
+    const int index = put(&read, std::move(value), read.parent);
+    for (const auto& [scene, place] : read.roots) roots_.emplace_back(scene, place, index);
   }
 
   void drop_holes_at_the_end() {
@@ -147,22 +217,35 @@ class PuttingTogether {
     }
   }
 
-  // Also where a node of ours has stayed with the others, as a second cage has.
+  // In their old places where they are named already.
   void name_extensions() {
     for (const char* name : {slide_extension, cage_extension}) {
       const auto has_it = [name](const GltfJson& each) {
         const GltfJson* extensions = find_key(each, "extensions");
         return extensions && find_key(*extensions, name);
       };
-      if (std::none_of(nodes().begin(), nodes().end(), has_it)) continue;
-      GltfJson& used = json_["extensionsUsed"];
-      if (used.is_null()) {
-        used = GltfJson::array();
-      } else if (used.empty()) {
-        filled_.insert("/extensionsUsed");
+      const bool is_used = std::any_of(nodes().begin(), nodes().end(), has_it);
+      GltfJson* used = find_key(json_, "extensionsUsed");
+      if (used == nullptr) {
+        if (is_used) json_["extensionsUsed"] = GltfJson::array({name});
+        continue;
       }
-      used.push_back(name);
+      const auto found = std::find(used->begin(), used->end(), name);
+      if (is_used && found == used->end()) {
+        used->push_back(name);
+      } else if (!is_used && found != used->end()) {
+        used->erase(found);
+        if (used->empty() && base_.keeps.count("/extensionsUsed") == 0) json_.erase("extensionsUsed");
+      }
     }
+    const GltfJson* others = find_key(base_.json, "extensionsUsed");
+    const bool was_empty = others && std::all_of(others->begin(), others->end(), is_own_name);
+    if (was_empty && (others->empty() || base_.keeps.count("/extensionsUsed") > 0)) filled_.insert("/extensionsUsed");
+  }
+
+  void drop(const std::string& pointer) {
+    const GltfJson::json_pointer at(pointer);
+    if (json_.contains(at) && json_.at(at).empty()) json_.at(at.parent_pointer()).erase(at.back());
   }
 
   const std::filesystem::path& path_;
@@ -170,9 +253,11 @@ class PuttingTogether {
   const SceneContent& content_;
   GltfJson json_;
   std::set<int> holes_;
-  std::set<int> moved_;           // places of slides that have another transform by now
-  std::set<std::string> filled_;  // arrays that were there and empty
-  std::map<int, int> parents_;    // of our nodes, but for those that have stayed where they were
+  std::set<int> moved_;                           // places of slides that have another transform by now
+  std::map<int, bool> carries_;                   // of places of slides: whether they or one above have moved
+  std::set<std::string> filled_;                  // arrays that were there and empty
+  std::map<int, int> parents_;                    // of our nodes, but for those that have stayed where they were
+  std::vector<std::tuple<int, int, int>> roots_;  // of strays: scene, roots of others before it, number
   int first_own_ = -1;
 };
 

@@ -13,7 +13,7 @@
 // What of a scene is ours: its slides and cages. docs/scene-format.md says how a file holds them.
 namespace cagewright::host {
 
-struct SlideAsRead;  // of scene_parts.h: the node that the file has, so that nothing else in it is lost
+struct SlideAsRead;  // of scene_parts.h
 struct CageAsRead;
 
 struct SceneSlide {
@@ -22,7 +22,7 @@ struct SceneSlide {
   int mesh_node = -1;          // the node whose mesh it cuts
   Slide::Ellipse ellipse;      // in that node's local space
   std::vector<Point3> stroke;  // that the ellipse was fitted to; empty where it was not, or no longer is
-  std::shared_ptr<const SlideAsRead> as_read;
+  std::shared_ptr<const SlideAsRead> as_read;  // the node that the file has, so that nothing else in it is lost
 };
 
 struct SceneCage {
@@ -33,12 +33,22 @@ struct SceneCage {
   std::vector<std::int64_t> slides;                        // ids of those that it was made from
   std::vector<int> sections;                               // of each vertex: row of `slides`, or -1
   std::string certificate;                                 // JSON text, as in the report; empty: none
-  std::shared_ptr<const CageAsRead> as_read;               // null where any of the above was changed
+  std::shared_ptr<const CageAsRead> as_read;               // the node that the file has; what is others' in it is kept
+  bool is_as_read = false;                                 // whether all of the above is what the file has
+};
+
+// A node of ours that counts for nothing: a second cage of a mesh, one that has lost its mesh, or what cannot be read.
+// It stays as it is until it is removed.
+struct SceneStray {
+  std::string name;
+  bool is_cage = false;
+  std::shared_ptr<const CageAsRead> as_read;
 };
 
 struct SceneContent {
   std::vector<SceneSlide> slides;
   std::vector<SceneCage> cages;
+  std::vector<SceneStray> strays;
 };
 
 }  // namespace cagewright::host

@@ -31,7 +31,7 @@ struct SceneDocument::State {
   std::vector<std::string> notes;
   std::vector<SceneMeshNode> mesh_nodes;
   std::vector<std::weak_ptr<Listener>> listeners;
-  std::set<std::int64_t> ids;  // that any slide has had, or a cage names
+  SlideIds ids;  // that any slide has had, or a cage names
 
   int indent() const { return !container.is_binary && container.json.find('\n') != std::string_view::npos ? 2 : -1; }
   std::string text() const { return gltf_json_text(put_together(path, base, content), indent()); }
@@ -46,11 +46,13 @@ struct SceneDocument::State {
 
 namespace {
 
+constexpr std::size_t chunk_header_size = 8;
+
 std::vector<SceneMeshNode> mesh_nodes_of(const tinygltf::Model& model) {
   std::vector<SceneMeshNode> nodes;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const tinygltf::Node& node = model.nodes[i];
-    if (node.mesh < 0 || is_cage_node(node)) continue;
+    if (!shows_model(node)) continue;
     std::string name = node.name;
     if (name.empty() && static_cast<std::size_t>(node.mesh) < model.meshes.size()) {
       name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
@@ -62,16 +64,18 @@ std::vector<SceneMeshNode> mesh_nodes_of(const tinygltf::Model& model) {
 
 }  // namespace
 
-SceneDocument::SceneDocument(const std::filesystem::path& path) : SceneDocument(path, read_bytes(path)) {}
+SceneDocument::SceneDocument(const std::filesystem::path& path, Unreadable unreadable)
+    : SceneDocument(path, read_bytes(path), unreadable) {}
 
-SceneDocument::SceneDocument(const std::filesystem::path& path, std::string bytes) : state_(std::make_unique<State>()) {
+SceneDocument::SceneDocument(const std::filesystem::path& path, std::string bytes, Unreadable unreadable)
+    : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.path = path;
   s.file = std::move(bytes);
   s.container = split_gltf(path, s.file);
   GltfJson json = parse_container_json(path, s.container);
   load_gltf(path, s.container, json, s.model);
-  TakenApart parts = take_apart(path, std::move(json), s.model);
+  TakenApart parts = take_apart(path, std::move(json), s.model, unreadable);
   s.base = std::move(parts.base);
   s.content = std::move(parts.content);
   s.notes = std::move(parts.notes);
@@ -86,7 +90,6 @@ SceneDocument SceneDocument::of_mesh(const std::filesystem::path& path, const Tr
   std::string glb = glb_bytes(mesh, name, path);
   if (lower_ending(path) != ".gltf") return SceneDocument(path, std::move(glb));
   const GltfContainer container = split_gltf(path, glb);
-  constexpr std::size_t chunk_header_size = 8;
   GltfJson json = parse_gltf_json(path, container.json);
   json["buffers"][0]["uri"] =
       "data:application/octet-stream;base64," + base64(container.chunks.substr(chunk_header_size));
@@ -96,7 +99,7 @@ SceneDocument SceneDocument::of_mesh(const std::filesystem::path& path, const Tr
 
 SceneDocument SceneDocument::copy_as(bool is_binary) const {
   const State& s = *state_;
-  if (s.container.is_binary == is_binary) return SceneDocument(path(), bytes());
+  if (s.container.is_binary == is_binary) return SceneDocument(path(), bytes(), Unreadable::stray);
   GltfJson json = put_together(s.path, s.base, s.content);
   GltfJson* buffers = find_key(json, "buffers");
   const GltfJson* others = find_key(s.base.json, "buffers");
@@ -113,8 +116,19 @@ SceneDocument SceneDocument::copy_as(bool is_binary) const {
     const std::string_view view(reinterpret_cast<const char*>(data.data()), data.size());
     (*buffers)[0]["uri"] = "data:application/octet-stream;base64," + base64(view);
   }
-  if (!is_binary) return SceneDocument(path(), gltf_json_text(json, 2));
-  return SceneDocument(path(), join_gltf(path(), {true, {}, binary_chunk(chunk), {}, {}}, gltf_json_text(json)));
+  if (is_binary) {
+    return SceneDocument(path(), join_gltf(path(), {true, {}, binary_chunk(chunk), {}, {}}, gltf_json_text(json)),
+                         Unreadable::stray);
+  }
+  return SceneDocument(path(), gltf_json_text(json, 2), Unreadable::stray);
+}
+
+std::vector<std::string> SceneDocument::lost_as(bool is_binary) const {
+  const GltfContainer& from = state_->container;
+  const std::size_t known = from.binary.data() ? from.binary.size() + chunk_header_size : 0;
+  if (is_binary || from.chunks.size() <= known) return {};
+  return {path().string() +
+          ": it has chunks that glTF does not know; a .gltf has no place for them, so they are left out"};
 }
 
 SceneDocument::~SceneDocument() = default;
@@ -126,13 +140,14 @@ const std::vector<std::string>& SceneDocument::notes() const { return state_->no
 const std::vector<SceneMeshNode>& SceneDocument::mesh_nodes() const { return state_->mesh_nodes; }
 const std::vector<SceneSlide>& SceneDocument::slides() const { return state_->content.slides; }
 const std::vector<SceneCage>& SceneDocument::cages() const { return state_->content.cages; }
+const std::vector<SceneStray>& SceneDocument::strays() const { return state_->content.strays; }
 
 MeshFile SceneDocument::mesh(int node) const {
   const tinygltf::Model& model = state_->model;
-  const int mesh = model.nodes.at(static_cast<std::size_t>(node)).mesh;
+  const bool is_there = node >= 0 && static_cast<std::size_t>(node) < model.nodes.size();
+  const int mesh = is_there ? model.nodes[static_cast<std::size_t>(node)].mesh : -1;
   if (mesh < 0 || static_cast<std::size_t>(mesh) >= model.meshes.size()) {
-    throw FileError(path(), {},
-                    "node " + std::to_string(node) + " shows mesh " + std::to_string(mesh) + ", which is not there");
+    throw FileError(path(), {}, "node " + std::to_string(node) + " shows no mesh");
   }
   MeshFile file = read_gltf_mesh(path(), model, mesh);
   if (file.mesh.triangles.empty()) {
@@ -151,11 +166,7 @@ const SceneCage* SceneDocument::find_cage(int mesh_node) const {
   return found == state_->content.cages.end() ? nullptr : &*found;
 }
 
-std::int64_t SceneDocument::new_slide_id() {
-  const std::int64_t id = free_slide_id(state_->ids);
-  state_->ids.insert(id);
-  return id;
-}
+std::int64_t SceneDocument::new_slide_id() { return state_->ids.take_next(); }
 
 void SceneDocument::insert_slide(std::size_t row, SceneSlide slide) {
   auto& slides = state_->content.slides;
@@ -191,6 +202,16 @@ void SceneDocument::set_cage(int mesh_node, const SceneCage* cage) {
     cages.insert(after, *cage);
   }
   tell({cage ? SceneEvent::Kind::cage_set : SceneEvent::Kind::cage_removed, 0, mesh_node});
+}
+
+void SceneDocument::insert_stray(std::size_t row, SceneStray stray) {
+  auto& strays = state_->content.strays;
+  strays.insert(strays.begin() + static_cast<std::ptrdiff_t>(row), std::move(stray));
+}
+
+void SceneDocument::remove_stray(std::size_t row) {
+  auto& strays = state_->content.strays;
+  strays.erase(strays.begin() + static_cast<std::ptrdiff_t>(row));
 }
 
 std::unique_ptr<SceneDocument::Subscription> SceneDocument::listen(Listener listener) {

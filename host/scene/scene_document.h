@@ -32,15 +32,20 @@ struct SceneMeshNode {
 // One thread at a time.
 class SceneDocument {
  public:
+  // What becomes of nodes of ours that cannot be read.
+  enum class Unreadable { refused, stray };
+
   // Throws FileError.
-  explicit SceneDocument(const std::filesystem::path& path);
+  explicit SceneDocument(const std::filesystem::path& path, Unreadable unreadable = Unreadable::refused);
   // From bytes that are already there; `path` is for sentences and for the files that a .gltf names.
-  SceneDocument(const std::filesystem::path& path, std::string bytes);
+  SceneDocument(const std::filesystem::path& path, std::string bytes, Unreadable unreadable = Unreadable::refused);
   // A new scene with one mesh node, as a .glb or .gltf. Positions become floats. Throws FileError.
   static SceneDocument of_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& name);
   // The same scene, slides and cages to be written as .glb (is_binary) or .gltf: buffer 0 moves between the binary
   // chunk and a data URI; chunks that glTF does not know do not go into a .gltf. Throws FileError.
   SceneDocument copy_as(bool is_binary) const;
+  // What such a copy has no place for: a sentence each.
+  std::vector<std::string> lost_as(bool is_binary) const;
   ~SceneDocument();
   SceneDocument(SceneDocument&&) noexcept;
   SceneDocument& operator=(SceneDocument&&) noexcept;
@@ -50,11 +55,12 @@ class SceneDocument {
   const std::vector<std::string>& notes() const;
   // In the file's order, in all scenes.
   const std::vector<SceneMeshNode>& mesh_nodes() const;
-  // The mesh of a node, in its local space. Throws FileError. O(size of the mesh).
+  // The mesh of a node, in its local space. Throws FileError, also where the node has none. O(size of the mesh).
   MeshFile mesh(int node) const;
 
   const std::vector<SceneSlide>& slides() const;
   const std::vector<SceneCage>& cages() const;
+  const std::vector<SceneStray>& strays() const;
   const SceneSlide* find_slide(std::int64_t id) const;
   const SceneCage* find_cage(int mesh_node) const;
   // An id that no slide of this document has had.
@@ -67,6 +73,9 @@ class SceneDocument {
   void remove_slide(std::int64_t id);
   // Null: no cage any more.
   void set_cage(int mesh_node, const SceneCage* cage);
+  // Nothing follows strays, so no event tells of them.
+  void insert_stray(std::size_t row, SceneStray stray);
+  void remove_stray(std::size_t row);
 
   // Calls `listener` after every change until the subscription is destroyed. Listeners may not change the document.
   using Listener = std::function<void(const SceneEvent&)>;
@@ -76,7 +85,7 @@ class SceneDocument {
   // The file's bytes as they would be saved: text on one line for .glb; a .gltf keeps lines where it had some. Throws
   // FileError.
   std::string bytes() const;
-  // Whether bytes() differ from the file that was read or last saved.
+  // Whether bytes() differ from the file that was read.
   bool is_changed() const;
   // Names of files, relative to its folder, that a .gltf or .glb needs: buffers and images.
   std::vector<std::string> external_files() const;

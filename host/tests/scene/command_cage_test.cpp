@@ -109,10 +109,12 @@ TEST_F(CageThatNoFileCanHold, HasWrongNotes) {
   expect([](SceneCage& cage) { cage.name = "\xff"; }, {"name", "\"?\"", "not UTF-8"});
   expect([](SceneCage& cage) { cage.parameters[1].second = infinity; }, {"\"refine.delta\"", "not finite"});
   expect([](SceneCage& cage) { cage.slides = {0}; }, {"slide without an id"});
+  expect([](SceneCage& cage) { cage.slides = {(std::int64_t{1} << 53) + 1}; }, {"slide without an id"});
+  expect([](SceneCage& cage) { cage.parameters[1].first = "\xff"; }, {"parameter", "not UTF-8"});
   expect([](SceneCage& cage) { cage.sections.pop_back(); }, {"4 vertices", "3"});
   expect([](SceneCage& cage) { cage.sections[2] = 1; }, {"vertex 2", "section 1 of 1"});
   expect([](SceneCage& cage) { cage.sections[2] = -2; }, {"vertex 2", "section -2"});
-  expect([](SceneCage& cage) { cage.certificate = "{"; }, {"certificate", "not JSON"});
+  expect([](SceneCage& cage) { cage.certificate = "{"; }, {"certificate", "no JSON object"});
 }
 
 }  // namespace

@@ -93,6 +93,22 @@ void expect_circle_maps_to(const Slide::Ellipse& ellipse, const GltfJson& json, 
   }
 }
 
+SceneDocument as_it_is(const std::string& name) {
+  return edited(name, [](GltfJson&) {});
+}
+
+bool has_note(const SceneDocument& scene, const std::string& part) {
+  for (const std::string& note : scene.notes()) {
+    if (note.find(part) != note.npos) return true;
+  }
+  return false;
+}
+
+GltfJson without_ours(SceneDocument& scene) {
+  remove_all_of_ours(scene);
+  return json_of(scene);
+}
+
 SceneDocument reloaded(const SceneDocument& scene) { return SceneDocument(scene.path(), scene.bytes()); }
 
 SceneSlide slide_called(const SceneDocument& scene, const std::string& name) {

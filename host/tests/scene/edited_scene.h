@@ -19,6 +19,10 @@ GltfJson json_of(const std::string& name);
 SceneDocument scene_of(const GltfJson& json, const std::string& name = "edited.gltf");
 
 SceneDocument edited(const std::string& name, const std::function<void(GltfJson&)>& edit);
+SceneDocument as_it_is(const std::string& name);
+bool has_note(const SceneDocument& scene, const std::string& part);
+// Removes all of ours.
+GltfJson without_ours(SceneDocument& scene);
 // Saved and read again.
 SceneDocument reloaded(const SceneDocument& scene);
 

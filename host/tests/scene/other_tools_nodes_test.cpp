@@ -11,22 +11,6 @@
 namespace cagewright::host::test {
 namespace {
 
-SceneDocument as_it_is(const std::string& name) {
-  return edited(name, [](GltfJson&) {});
-}
-
-bool has_note(const SceneDocument& scene, const std::string& part) {
-  for (const std::string& note : scene.notes()) {
-    if (note.find(part) != note.npos) return true;
-  }
-  return false;
-}
-
-GltfJson without_ours(SceneDocument& scene) {
-  remove_all_of_ours(scene);
-  return json_of(scene);
-}
-
 TEST(ContentOfOthersOnASlide, StaysAsAnOrdinaryNodeWhenTheSlideIsRemoved) {
   SceneDocument scene = as_it_is("slides_foreign_child.gltf");
   const GltfJson before = json_of(scene);
@@ -146,80 +130,6 @@ TEST(EmptyArrays, AreRememberedInTheSamePlaceWhateverWasSavedBetween) {
   }
   EXPECT_EQ(scene.bytes(), saved_between.bytes());
   EXPECT_EQ(without_ours(saved_between)["extensionsUsed"], GltfJson::array());
-}
-
-TEST(CagesAfterOtherTools, BelongToTheirParentWhateverSourceSays) {
-  const SceneDocument scene = as_it_is("slides_cage_source_renumbered.gltf");
-  ASSERT_EQ(scene.cages().size(), 1u);
-  EXPECT_EQ(scene.cages()[0].mesh_node, 2);
-}
-
-TEST(CagesAfterOtherTools, AreFoundByExtrasWithoutSectionsAndCertificate) {
-  const SceneDocument scene = as_it_is("slides_extension_dropped.gltf");
-  ASSERT_EQ(scene.cages().size(), 1u);
-  EXPECT_EQ(scene.cages()[0].slides, std::vector<std::int64_t>{5});
-  EXPECT_EQ(scene.cages()[0].mesh.vertex_count(), 12u);
-  EXPECT_TRUE(scene.cages()[0].sections.empty());
-  EXPECT_EQ(scene.cages()[0].certificate, "");
-}
-
-TEST(CagesAfterOtherTools, ThatWereMovedAreRoundTheMeshWhereTheyAre) {
-  const SceneDocument still = as_it_is("slides_cage.gltf");
-  const SceneDocument mirrored = edited("slides_cage.gltf", [](GltfJson& json) {
-    json["nodes"][2]["scale"] = {-2, 1, 1};
-  });
-  const TriangleMesh &a = still.cages()[0].mesh, &b = mirrored.cages()[0].mesh;
-  for (std::size_t i = 0; i < a.vertex_count(); ++i) EXPECT_EQ(b.points[3 * i], -2 * a.points[3 * i]);
-  EXPECT_EQ(a.triangles[0], b.triangles[0]);
-  EXPECT_EQ(a.triangles[1], b.triangles[2]) << "a mirrored triangle has to turn the other way";
-}
-
-TEST(CagesAfterOtherTools, StayAsTheyAreWhereTheirParentHasAnotherOrNone) {
-  SceneDocument twice = edited("slides_cage.gltf", [](GltfJson& json) {
-    json["nodes"][0]["children"].push_back(3);
-    json["nodes"].push_back(json["nodes"][2]);
-  });
-  EXPECT_EQ(twice.cages().size(), 1u);
-  EXPECT_TRUE(has_note(twice, "node 0 has two cages; cage \"limb cage\" (node 3) stays")) << twice.notes()[0];
-  SceneDocument apart = edited("slides_cage.gltf", [](GltfJson& json) {
-    json["nodes"][0]["children"] = {1};
-    json["scenes"][0]["nodes"] = {0, 2};
-  });
-  EXPECT_TRUE(apart.cages().empty());
-  EXPECT_TRUE(has_note(apart, "cage \"limb cage\" (node 2) is under no node with a mesh"));
-  for (SceneDocument* scene : {&twice, &apart}) {
-    const GltfJson before = json_of(*scene), left = without_ours(*scene);
-    const std::size_t node = scene == &twice ? 3 : 2;
-    EXPECT_EQ(left["nodes"][node], before["nodes"][node]);
-    EXPECT_EQ(left["meshes"], before["meshes"]) << "the other cage's";
-    EXPECT_EQ(left["extensionsUsed"], GltfJson({"CAGEWRIGHT_cage"})) << "is still used";
-  }
-}
-
-TEST(CagesAfterOtherTools, WithContentOfOthersLeaveAnOrdinaryNode) {
-  const auto edit = [](GltfJson& json) {
-    json["nodes"][2]["children"] = {3};
-    json["nodes"].push_back({{"name", "lamp"}});
-  };
-  const GltfJson before = json_of(edited("slides_cage.gltf", edit));
-  for (const bool is_replaced : {false, true}) {
-    SceneDocument scene = edited("slides_cage.gltf", edit);
-    CommandStack stack(scene);
-    if (is_replaced) {
-      stack.run(std::make_unique<SetCage>(some_cage(0, {3}, 1)));
-      const SceneDocument again = reloaded(scene);
-      ASSERT_EQ(again.cages().size(), 1u);
-      EXPECT_EQ(again.cages()[0].mesh.vertex_count(), 4u);
-    } else {
-      stack.run(std::make_unique<RemoveCage>(0));
-    }
-    const GltfJson left = json_of(scene);
-    EXPECT_EQ(left["nodes"][2], GltfJson({{"name", "limb cage"}, {"children", {3}}}));
-    EXPECT_EQ(left["nodes"][3], before["nodes"][3]);
-    EXPECT_EQ(reloaded(scene).notes(), std::vector<std::string>());
-    stack.undo();
-    EXPECT_EQ(json_of(scene), before);
-  }
 }
 
 // In Blender everything can be put under everything.

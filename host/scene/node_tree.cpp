@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/scene/node_tree.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/file/file_error.h"
+#include "host/file/gltf_accessor.h"
+#include "host/file/gltf_nodes.h"
+#include "host/file/gltf_own_nodes.h"
+
+namespace cagewright::host {
+namespace {
+
+// Parents before children; without recursion, as a file may nest nodes as deep as it likes.
+std::vector<int> from_the_roots(const std::vector<int>& parents, const tinygltf::Model& model) {
+  std::vector<int> order;
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    if (parents[i] < 0) order.push_back(static_cast<int>(i));
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto& children = model.nodes[static_cast<std::size_t>(order[k])].children;
+    order.insert(order.end(), children.begin(), children.end());
+  }
+  return order;
+}
+
+template <typename Visit>
+void each_item(const GltfJson* items, const Visit& visit) {
+  if (items == nullptr || !items->is_array()) return;
+  for (const GltfJson& item : *items) visit(item);
+}
+
+std::optional<int> index_in(const GltfJson* json) {
+  if (json == nullptr || !json->is_number_integer()) return {};
+  return json->get<int>();
+}
+
+}  // namespace
+
+NodeTree::NodeTree(const std::filesystem::path& path, const GltfJson& json, const tinygltf::Model& model)
+    : path_(path), model_(model), places_(model.nodes.size()) {
+  const std::vector<int> parents = gltf_parents(path, model);
+  for (std::size_t i = 0; i < parents.size(); ++i) places_[i].parent = parents[i];
+  for (const int node : from_the_roots(parents, model)) place(node, gltf_local_transform(path, model, node));
+  for (int node = 0; node < size(); ++node) {
+    if (shows_model(model.nodes[static_cast<std::size_t>(node)])) mesh_nodes_.push_back(node);
+  }
+  find_named(json);
+  find_skins(json);
+}
+
+void NodeTree::place(int node, const Eigen::Affine3d& local) {
+  Place& here = places_[static_cast<std::size_t>(node)];
+  here.to_mesh = here.to_scene = local;
+  if (here.parent < 0) return;
+  const Place& above = at(here.parent);
+  const tinygltf::Node& parent = model_.nodes[static_cast<std::size_t>(here.parent)];
+  here.to_scene = above.to_scene * local;
+  if (shows_model(parent)) {
+    here.mesh_node = here.parent;
+    return;
+  }
+  here.mesh_node = above.mesh_node;
+  here.to_mesh = above.to_mesh * local;
+  here.carrier = is_slide_node(parent) ? here.parent : above.carrier;
+}
+
+void NodeTree::find_named(const GltfJson& json) {
+  const auto add = [&](const GltfJson* value) {
+    const int node = index_in(value).value_or(-1);
+    if (node >= 0 && node < size()) places_[static_cast<std::size_t>(node)].is_named = true;
+  };
+  each_item(find_key(json, "skins"), [&](const GltfJson& skin) {
+    add(find_key(skin, "skeleton"));
+    each_item(find_key(skin, "joints"), [&](const GltfJson& joint) { add(&joint); });
+  });
+  each_item(find_key(json, "animations"), [&](const GltfJson& animation) {
+    each_item(find_key(animation, "channels"), [&](const GltfJson& channel) {
+      if (const GltfJson* target = find_key(channel, "target")) add(find_key(*target, "node"));
+    });
+  });
+}
+
+void NodeTree::find_skins(const GltfJson& json) {
+  each_item(find_key(json, "skins"), [&](const GltfJson& skin) {
+    Skin& here = skins_.emplace_back();
+    const GltfJson* joints = find_key(skin, "joints");
+    if (joints && joints->is_array() && !joints->empty()) here.first_joint = index_in(&(*joints)[0]).value_or(-1);
+    here.inverse_bind_matrices = index_in(find_key(skin, "inverseBindMatrices")).value_or(-1);
+  });
+}
+
+std::optional<int> NodeTree::mesh_node_for(const std::string& name) const {
+  std::vector<int> found;
+  for (const int node : mesh_nodes_) {
+    if (!name.empty() && model_.nodes[static_cast<std::size_t>(node)].name == name) found.push_back(node);
+  }
+  if (found.size() == 1) return found.front();
+  return mesh_nodes_.size() == 1 ? std::optional(mesh_nodes_.front()) : std::nullopt;
+}
+
+Eigen::Affine3d NodeTree::first_matrix(int accessor) const {
+  try {
+    const std::vector<double> matrices = read_matrices(model_, accessor);
+    if (matrices.size() < 16) return Eigen::Affine3d::Identity();
+    return Eigen::Affine3d(Eigen::Map<const Eigen::Matrix4d>(matrices.data()));
+  } catch (const std::runtime_error& error) {
+    throw FileError(path_, {}, error.what());
+  }
+}
+
+std::optional<Eigen::Affine3d> NodeTree::from_scene(int mesh_node) const {
+  Eigen::Affine3d to_scene = at(mesh_node).to_scene;
+  const int skin = model_.nodes[static_cast<std::size_t>(mesh_node)].skin;
+  if (skin >= 0 && static_cast<std::size_t>(skin) < skins_.size()) {
+    const Skin& it = skins_[static_cast<std::size_t>(skin)];
+    to_scene = it.first_joint < 0 ? Eigen::Affine3d::Identity() : at(it.first_joint).to_scene;
+    if (it.inverse_bind_matrices >= 0) to_scene = to_scene * first_matrix(it.inverse_bind_matrices);
+  }
+  const Eigen::Affine3d inverse = to_scene.inverse();
+  const bool has_inverse = std::abs(to_scene.linear().determinant()) > 0 && inverse.matrix().allFinite();
+  return has_inverse ? std::optional(inverse) : std::nullopt;
+}
+
+}  // namespace cagewright::host

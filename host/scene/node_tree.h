@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_SCENE_NODE_TREE_H
+#define CAGEWRIGHT_HOST_SCENE_NODE_TREE_H
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/file/gltf_json.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace cagewright::host {
+
+// Where the nodes of a scene are, seen from the meshes that slides cut and cages are round. Borrows what it is made of.
+class NodeTree {
+ public:
+  // `json` and `model` are the same file. Throws FileError: nodes that form no tree, transforms that are none. O(n).
+  NodeTree(const std::filesystem::path& path, const GltfJson& json, const tinygltf::Model& model);
+
+  int size() const { return static_cast<int>(places_.size()); }
+  int parent(int node) const { return at(node).parent; }
+  // Whether skins or animations name it.
+  bool is_named(int node) const { return at(node).is_named; }
+  // The nearest ancestor that shows a mesh which is no cage, or -1.
+  int mesh_node(int node) const { return at(node).mesh_node; }
+  // The nearest ancestor below the mesh node that is a slide, or -1.
+  int carrier(int node) const { return at(node).carrier; }
+  // To the mesh node's space; to the scene's where there is none.
+  const Eigen::Affine3d& to_mesh(int node) const { return at(node).to_mesh; }
+
+  // A node that has lost its mesh node: the mesh node of that name, where one alone has it, else the only one.
+  std::optional<int> mesh_node_for(const std::string& name) const;
+  // From the scene to the mesh of a node: the bind pose of a skinned one, as glTF does not look at its node. Empty
+  // where there is no inverse. Throws FileError where the skin's matrices cannot be read.
+  std::optional<Eigen::Affine3d> from_scene(int mesh_node) const;
+
+ private:
+  struct Place {
+    int parent = -1, mesh_node = -1, carrier = -1;
+    Eigen::Affine3d to_mesh = Eigen::Affine3d::Identity(), to_scene = Eigen::Affine3d::Identity();
+    bool is_named = false;
+  };
+  const Place& at(int node) const { return places_[static_cast<std::size_t>(node)]; }
+  void place(int node, const Eigen::Affine3d& local);
+  void find_named(const GltfJson& json);
+  void find_skins(const GltfJson& json);
+
+  Eigen::Affine3d first_matrix(int accessor) const;
+
+  struct Skin {
+    int first_joint = -1, inverse_bind_matrices = -1;
+  };
+  const std::filesystem::path& path_;
+  const tinygltf::Model& model_;
+  std::vector<Place> places_;
+  std::vector<int> mesh_nodes_;
+  std::vector<Skin> skins_;
+};
+
+}  // namespace cagewright::host
+
+#endif
