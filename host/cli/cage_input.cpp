@@ -28,6 +28,10 @@ class InputReader {
   explicit InputReader(const CageCommand& command) : command_(command) {}
 
   CageInput read() {
+    if (command_.slides && is_scene_name(*command_.slides)) {
+      throw InputError(command_.slides->string() +
+                       ": is a scene, and no slides file: give it as MODEL, and its own slides are used");
+    }
     if (command_.slides) given_ = read_slides(*command_.slides);
     const bool is_scene = is_scene_name(command_.model);
     if (command_.node && !is_scene) {

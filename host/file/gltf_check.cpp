@@ -112,7 +112,7 @@ class Checker {
     if (!value.is_number_integer()) fail(at, key, "a number of " + in_quotes(array));
     if (value.is_number_unsigned() && value.get<std::uint64_t>() < size) return;
     fail(at + (at.empty() ? "its " : ": its ") + in_quotes(key) + " names item " + value.dump() + " of " +
-         in_quotes(array) + ", but there are only " + std::to_string(size) + " (counted from 0)");
+         in_quotes(array) + (size == 0 ? ", which has none" : ", which ends with item " + std::to_string(size - 1)));
   }
   void index(const std::string& at, const GltfJson& object, const char* key, const char* array) const {
     if (const GltfJson* value = find_key(object, key)) check_index(at, key, *value, array);

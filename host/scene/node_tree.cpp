@@ -94,13 +94,20 @@ void NodeTree::find_skins(const GltfJson& json) {
   });
 }
 
-std::optional<int> NodeTree::mesh_node_for(const std::string& name) const {
-  std::vector<int> found;
-  for (const int node : mesh_nodes_) {
-    if (!name.empty() && model_.nodes[static_cast<std::size_t>(node)].name == name) found.push_back(node);
-  }
-  if (found.size() == 1) return found.front();
-  return mesh_nodes_.size() == 1 ? std::optional(mesh_nodes_.front()) : std::nullopt;
+std::optional<int> NodeTree::mesh_node_for(const std::string& name, const std::string& mesh_name) const {
+  if (mesh_nodes_.size() == 1) return mesh_nodes_.front();
+  const auto only_one = [this](const std::string& wanted, const auto& name_of) -> std::optional<int> {
+    if (wanted.empty()) return {};
+    const auto is_it = [&](int node) { return name_of(model_.nodes[static_cast<std::size_t>(node)]) == wanted; };
+    const auto found = std::find_if(mesh_nodes_.begin(), mesh_nodes_.end(), is_it);
+    if (found == mesh_nodes_.end() || std::any_of(found + 1, mesh_nodes_.end(), is_it)) return {};
+    return *found;
+  };
+  if (const auto found = only_one(name, [](const tinygltf::Node& node) { return node.name; })) return found;
+  return only_one(mesh_name, [this](const tinygltf::Node& node) {
+    const auto mesh = static_cast<std::size_t>(node.mesh);
+    return mesh < model_.meshes.size() ? model_.meshes[mesh].name : "";
+  });
 }
 
 Eigen::Affine3d NodeTree::first_matrix(int accessor) const {

@@ -33,8 +33,9 @@ class NodeTree {
   // To the mesh node's space; to the scene's where there is none.
   const Eigen::Affine3d& to_mesh(int node) const { return at(node).to_mesh; }
 
-  // A node that has lost its mesh node: the mesh node of that name, where one alone has it, else the only one.
-  std::optional<int> mesh_node_for(const std::string& name) const;
+  // For a node that has lost it: the mesh node of that name, where one alone has it; else the one whose mesh has that
+  // name, as Blender calls nodes of skinned meshes; else the only one.
+  std::optional<int> mesh_node_for(const std::string& name, const std::string& mesh_name) const;
   // From the scene to the mesh of a node: the bind pose of a skinned one, as glTF does not look at its node. Empty
   // where there is no inverse. Throws FileError where the skin's matrices cannot be read.
   std::optional<Eigen::Affine3d> from_scene(int mesh_node) const;

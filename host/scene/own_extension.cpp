@@ -11,7 +11,7 @@
 namespace cagewright::host {
 namespace {
 
-constexpr char keeps_key[] = "keeps", source_name_key[] = "source_name";
+constexpr char keeps_key[] = "keeps", source_name_key[] = "source_name", source_mesh_key[] = "source_mesh";
 
 // Reads one extension's object; every refusal names the node and the key.
 class OwnReader {
@@ -57,11 +57,12 @@ class OwnReader {
     return id;
   }
 
-  std::string source_name() const {
-    const GltfJson* found = find(source_name_key);
-    if (found && !found->is_string()) fail(source_name_key, "a string");
+  std::string text(const char* key) const {
+    const GltfJson* found = find(key);
+    if (found && !found->is_string()) fail(key, "a string");
     return found ? found->get<std::string>() : "";
   }
+  SourceNames source() const { return {text(source_name_key), text(source_mesh_key)}; }
 
   std::vector<std::string> keeps() const {
     std::vector<std::string> pointers;
@@ -122,6 +123,11 @@ void write_own(const char* extension, const std::vector<const char*>& own_keys, 
   merge(extension, shadow_keys, values, object_at(node, "extras"));
 }
 
+void add_names(const SourceNames& names, GltfJson& values) {
+  if (!names.node.empty()) values[source_name_key] = names.node;
+  if (!names.mesh.empty()) values[source_mesh_key] = names.mesh;
+}
+
 }  // namespace
 
 OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const std::string& place,
@@ -152,7 +158,7 @@ OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const 
       (*own.fitted)[i] = *number;
     }
   }
-  own.source_name = reader.source_name();
+  own.source = reader.source();
   own.keeps = reader.keeps();
   return own;
 }
@@ -187,30 +193,31 @@ OwnCageExtension read_cage_extension(const std::filesystem::path& path, const st
     if (!certificate->is_object()) reader.fail("certificate", "an object");
     cage.certificate = gltf_json_text(*certificate);
   }
-  return {std::move(cage), reader.source_name(), reader.keeps()};
+  return {std::move(cage), reader.source(), reader.keeps()};
 }
 
 void write_slide_extension(const SceneSlide& slide, const SourceNode& source,
                            const std::optional<TranslationRotationScale>& fitted, GltfJson& node) {
   GltfJson values = {{"id", slide.id}};
-  if (!source.name.empty()) values[source_name_key] = source.name;
+  add_names(source.names, values);
   if (!slide.stroke.empty() && fitted) {
     values["stroke"] = slide.stroke;
     values["fitted"] = *fitted;
   }
-  write_own(slide_extension, {"id", source_name_key, "stroke", "fitted", keeps_key}, values, {"id", source_name_key},
-            node);
+  write_own(slide_extension, {"id", source_name_key, source_mesh_key, "stroke", "fitted", keeps_key}, values,
+            {"id", source_name_key, source_mesh_key}, node);
 }
 
 void write_cage_extension(const SceneCage& cage, const SourceNode& source, GltfJson& node) {
   GltfJson values = {{"source", source.node}, {"parameters", GltfJson::object()}};
-  if (!source.name.empty()) values[source_name_key] = source.name;
+  add_names(source.names, values);
   for (const auto& [id, value] : cage.parameters) values["parameters"][id] = value;
   values["slides"] = cage.slides;
   values["sections"] = cage.sections;
   if (!cage.certificate.empty()) values["certificate"] = parse_gltf_json({}, cage.certificate);
-  write_own(cage_extension, {"source", source_name_key, "parameters", "slides", "sections", "certificate", keeps_key},
-            values, {source_name_key, "slides"}, node);
+  write_own(cage_extension,
+            {"source", source_name_key, source_mesh_key, "parameters", "slides", "sections", "certificate", keeps_key},
+            values, {source_name_key, source_mesh_key, "slides"}, node);
 }
 
 void write_keeps(const std::set<std::string>& keeps, GltfJson& node) {

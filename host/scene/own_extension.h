@@ -16,9 +16,14 @@
 // docs/scene-format.md defines them.
 namespace cagewright::host {
 
+// By which a node that has lost its mesh node finds it again; may be empty.
+struct SourceNames {
+  std::string node, mesh;
+};
+
 struct OwnSlideExtension {
   std::int64_t id = 0;
-  std::string source_name;  // of the mesh node; may be empty
+  SourceNames source;
   std::vector<Point3> stroke;
   std::optional<TranslationRotationScale> fitted;
   std::vector<std::string> keeps;
@@ -26,7 +31,7 @@ struct OwnSlideExtension {
 
 struct OwnCageExtension {
   SceneCage cage;  // its parameters, slides, sections and certificate
-  std::string source_name;
+  SourceNames source;
   std::vector<std::string> keeps;
 };
 
@@ -38,7 +43,7 @@ OwnCageExtension read_cage_extension(const std::filesystem::path& path, const st
 // The mesh node that a slide or a cage belongs to.
 struct SourceNode {
   int node = -1;
-  std::string name;
+  SourceNames names;
 };
 
 // Put the extension and its shadow in `extras` into a node. What others have there stays, also in the extension, and

@@ -148,8 +148,12 @@ class PuttingTogether {
   }
 
   SourceNode source_of(int mesh_node) {
-    const GltfJson* name = find_key(node(mesh_node), "name");
-    return {mesh_node, name && name->is_string() ? name->get<std::string>() : ""};
+    const auto name_in = [](const GltfJson& object) {
+      const GltfJson* name = find_key(object, "name");
+      return name && name->is_string() ? name->get<std::string>() : "";
+    };
+    const GltfJson* mesh = find_key(node(mesh_node), "mesh");
+    return {mesh_node, {name_in(node(mesh_node)), name_in(json_["meshes"][mesh->get<std::size_t>()])}};
   }
 
   void add(const SceneSlide& slide) {

@@ -105,7 +105,7 @@ class TakingApart {
     slide.name = typed(node).name;
     auto as_read = std::make_shared<SlideAsRead>();
     describe(node, *as_read);
-    const Eigen::Affine3d to_mesh = place_slide(node, own.source_name, slide, *as_read);
+    const Eigen::Affine3d to_mesh = place_slide(node, own.source, slide, *as_read);
     const Eigen::Vector3d cross = to_mesh.linear().col(0).cross(to_mesh.linear().col(1));
     if (!to_mesh.matrix().allFinite() || !cross.allFinite() || !(cross.stableNorm() > 0)) {
       fail(place_of(node) +
@@ -124,12 +124,12 @@ class TakingApart {
   }
 
   // Returns its transform relative to the mesh node.
-  Eigen::Affine3d place_slide(int node, const std::string& source, SceneSlide& slide, SlideAsRead& as_read) const {
+  Eigen::Affine3d place_slide(int node, const SourceNames& source, SceneSlide& slide, SlideAsRead& as_read) const {
     slide.mesh_node = tree_.mesh_node(node);
     if (as_read.parent >= 0 && as_read.parent != slide.mesh_node)
       as_read.parent_to_mesh = tree_.to_mesh(as_read.parent);
     if (slide.mesh_node >= 0) return tree_.to_mesh(node);
-    const auto found = tree_.mesh_node_for(source);
+    const auto found = tree_.mesh_node_for(source.node, source.mesh);
     if (!found) fail(place_of(node) + " is under no node with a mesh: move it under the node whose mesh it cuts");
     slide.mesh_node = *found;
     const auto from_scene = tree_.from_scene(*found);
@@ -148,7 +148,7 @@ class TakingApart {
     Eigen::Affine3d to_mesh = tree_.to_mesh(node);
     cage.mesh_node = tree_.mesh_node(node);
     if (cage.mesh_node < 0) {
-      const auto found = tree_.mesh_node_for(own.source_name);
+      const auto found = tree_.mesh_node_for(own.source.node, own.source.mesh);
       const auto from_scene = found ? tree_.from_scene(*found) : std::nullopt;
       if (!from_scene) {
         note(

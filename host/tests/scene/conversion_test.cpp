@@ -193,5 +193,18 @@ TEST_F(ExternalCopies, OfSubfoldersKeepThem) {
   EXPECT_EQ(copies(scene)[1], Copies::value_type(folder / "out/textures/wood/a.png", "wood"));
 }
 
+TEST(Conversion, SaysThatUnknownChunksAreLeftOut) {
+  for (const auto& [name, is_told] :
+       {std::pair("buffers_glb_unknown_chunk.glb", true), {"buffers_glb_padded.glb", false}}) {
+    const SceneDocument scene(std::filesystem::path(CAGEWRIGHT_OWN_SCENES) / name);
+    EXPECT_TRUE(scene.lost_as(true).empty());
+    ASSERT_EQ(scene.lost_as(false).size(), is_told ? 1u : 0u) << name;
+    if (is_told) {
+      EXPECT_NE(scene.lost_as(false)[0].find(std::string(name) + ": it has chunks that glTF does not know"),
+                std::string::npos);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cagewright::host::test

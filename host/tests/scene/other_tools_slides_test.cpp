@@ -2,6 +2,8 @@
 // What docs/scene-format.md says of slides "after other tools", a test for each of its sentences.
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include <cmath>
 #include <random>
 
@@ -318,6 +320,65 @@ TEST(SlidesWhoseParentIsGone, AreNamedWhereThereAreSeveralMeshNodes) {
   };
   expect_file_error([&] { edited("slides_parent_gone.gltf", two_meshes); },
                     {"edited.gltf: slide \"waist\" (node 1)", "no node with a mesh", "move it"});
+}
+
+// Blender takes a skinned mesh from its node and gives it a node of its own, called as the mesh is.
+TEST(SlidesWhoseParentIsGone, AreFoundByTheNameOfTheMeshWhereTheNodesNameIsNoLongerThere) {
+  SceneDocument saved = as_it_is("nodes_instanced_mesh.gltf");
+  CommandStack(saved).run(std::make_unique<AddSlide>(1, "new", some_ellipse(1)));
+  const std::size_t slide = json_of(saved)["nodes"].size() - 1;
+  for (const bool is_by_mesh : {false, true}) {
+    GltfJson json = json_of(saved);
+    for (GltfJson& node : json["nodes"]) node.erase("children");
+    json["scenes"][0]["nodes"] = {0, 1, slide};
+    if (is_by_mesh) {
+      json["meshes"].push_back(json["meshes"][0]);
+      json["meshes"][1]["name"] = "other";
+      json["nodes"][0]["mesh"] = 1;
+      json["nodes"][1]["name"] = "renamed";
+    }
+    EXPECT_EQ(slide_called(scene_of(json), "new").mesh_node, 1) << is_by_mesh;
+  }
+}
+
+// glTF 2.0, 3.7.3.3: joints place a skinned mesh, its own node does not.
+TEST(SlidesWhoseParentIsGone, AreWhereTheBindPoseOfASkinnedMeshHasThem) {
+  const std::filesystem::path path = std::filesystem::path(CAGEWRIGHT_OWN_SCENES) / "geometry_skin.glb";
+  SceneDocument saved = SceneDocument(path).copy_as(false);
+  CommandStack(saved).run(std::make_unique<AddSlide>(0, "new", some_ellipse(1)));
+  GltfJson json = json_of(saved);
+  json["nodes"][0].erase("children");
+  json["nodes"][0]["translation"] = {7, 7, 7};
+  json["nodes"][1]["translation"] = {1, 1, 1};  // (0, -1, 0) before: all of the mesh is moved by (1, 2, 1)
+  json["scenes"][0]["nodes"].push_back(3);
+  for (int i = 0; i < 3; ++i) {
+    GltfJson& value = json["nodes"][3]["translation"][static_cast<std::size_t>(i)];
+    value = number_in(value).value() + (i == 1 ? 2 : 1);
+  }
+  expect_ellipse(some_ellipse(1), slide_called(scene_of(json), "new").ellipse, 1e-6);
+}
+
+// Seconds where every slide looks at all others.
+TEST(ManySlides, CostInProportion) {
+  constexpr std::size_t count = 20000;
+  GltfJson json = json_of(as_it_is("slides_plain.gltf"));
+  GltfJson slide = json["nodes"].back();
+  slide["extensions"]["CAGEWRIGHT_cut_slide"] = {{"id", std::int64_t{1} << 53}};
+  const std::size_t first = json["nodes"].size();
+  for (std::size_t k = 0; k < count; ++k) {
+    slide["children"] = {first + k + 1};
+    slide["scale"] = {1, 1, 1};
+    json["nodes"].push_back(slide);
+  }
+  json["nodes"].back().erase("children");
+  json["nodes"][0]["children"].push_back(first);
+  const auto begin = std::chrono::steady_clock::now();
+  SceneDocument scene = scene_of(json);
+  EXPECT_EQ(scene.slides().size(), first - 1 + count);
+  CommandStack stack(scene);
+  while (!scene.slides().empty()) stack.run(std::make_unique<RemoveSlide>(scene.slides().back().id));
+  EXPECT_FALSE(scene.bytes().empty());
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 20);
 }
 
 }  // namespace
