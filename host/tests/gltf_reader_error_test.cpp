@@ -34,7 +34,7 @@ TEST(GltfReaderErrors, NameTheNodeAtFault) {
       },
       {"circle"});
   expect_after([](json& j) { j["nodes"][0]["children"] = {7}; },
-               {"node 0", "\"children\" names item 7 of \"nodes\"", "only 1"});
+               {"node 0", "\"children\" names item 7 of \"nodes\"", "ends with item 0"});
   expect_after([](json& j) { j["nodes"][0]["mesh"] = 7; }, {"node 0", "\"mesh\" names item 7 of \"meshes\""});
   expect_after([](json& j) { j["scene"] = 7; }, {"\"scene\" names item 7 of \"scenes\""});
   expect_after([](json& j) { j["nodes"][0]["scale"] = {1, 2}; }, {"node 0", "scale", "3 finite numbers"});
