@@ -99,12 +99,18 @@ struct PointQuery {
   double squared;
   int place;
 
+  double to_box(const Vector3& min, const Vector3& max) const {
+    return (min - point).cwiseMax(point - max).cwiseMax(0.0).squaredNorm();
+  }
   template <class Box>
   double bound(const Box& box) const {
-    return (box.min - point).cwiseMax(point - box.max).cwiseMax(0.0).squaredNorm();
+    return to_box(box.min, box.max);
   }
   void meet(std::size_t t) {
-    const double distance = squared_distance(point, triangles[t]);
+    const Triangle3& c = triangles[t];
+    const Vector3 min = c[0].cwiseMin(c[1]).cwiseMin(c[2]), max = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
+    if (to_box(min, max) >= squared) return;
+    const double distance = squared_distance(point, c);
     if (distance < squared) {
       squared = distance;
       place = static_cast<int>(t);

@@ -3,7 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/measure/surface_samples.h"
@@ -18,6 +17,19 @@ constexpr std::size_t most_cage_samples = 50000;
 
 Vector3 mirrored(const Vector3& point, const Vector3& on_plane, const Vector3& normal) {
   return point - 2 * normal.dot(point - on_plane) * normal;
+}
+
+// An axis whose moment is another's, too, is one of many, and which one is chance.
+std::vector<Vector3> candidates(const Eigen::Matrix3d& covariance) {
+  std::vector<Vector3> normals = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(covariance);
+  const Vector3 moments = principal.eigenvalues();  // ascending
+  const auto differ = [&](int i) {
+    return i < 0 || i > 1 || moments[i + 1] - moments[i] > tolerance::same_moment * moments[i + 1];
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    if (differ(axis - 1) && differ(axis)) normals.push_back(principal.eigenvectors().col(axis));
+  return normals;
 }
 
 // Empty as soon as it is known to exceed the tolerance: most candidates are far off, and end after a few points.
@@ -38,14 +50,9 @@ std::optional<double> deviation_in(const MeasuredModel& model, const SurfaceSamp
 }  // namespace
 
 std::vector<MirrorPlane> find_mirror_planes(const MeasuredModel& model, unsigned threads) {
-  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(model.covariance()).eigenvectors();
-  std::array<Vector3, 6> normals;
-  for (int axis = 0; axis < 3; ++axis) {
-    normals[static_cast<std::size_t>(axis)] = Vector3::Unit(axis);
-    normals[static_cast<std::size_t>(axis) + 3] = axes.col(axis);
-  }
+  const std::vector<Vector3> normals = candidates(model.covariance());
   const SurfaceSamples samples(model.mesh(), most_model_samples);
-  std::array<std::optional<double>, 6> deviations;
+  std::vector<std::optional<double>> deviations(normals.size());
   parallel_for(normals.size(), threads,
                [&](std::size_t i) { deviations[i] = deviation_in(model, samples, normals[i]); });
 
