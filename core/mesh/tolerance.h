@@ -28,5 +28,8 @@ inline constexpr double least_tightening_step = 1e-5;  // shorter ones are not t
 inline constexpr double least_slide = 0.05;            // share of a step that has to be left along its contacts
 inline constexpr double least_tightening = 2e-4;       // of the volume, by one sweep; less ends it
 inline constexpr double diverged = 10.0;               // a cage vertex farther than this from the model's box has flown
+inline constexpr double mirror = 1e-3;                 // mean distance of a symmetric model from its mirror image
+inline constexpr double same_mirror = 0.99;            // cosine between normals of mirror planes that are one
+inline constexpr double same_moment = 0.01;            // difference of two principal moments, over the greater
 
 }  // namespace cagewright::tolerance
