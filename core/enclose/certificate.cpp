@@ -8,18 +8,17 @@
 #include "core/enclose/box_tree.h"
 #include "core/enclose/triangle_intersection.h"
 #include "core/enclose/winding.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/inspect.h"
+#include "core/mesh/nesting.h"
+#include "core/mesh/volume.h"
+#include "core/mesh/weld.h"
 #include "core/parallel/parallel_for.h"
 
 namespace cagewright {
 namespace {
 
 constexpr std::size_t block_size = 1024;  // fixed, so that the work is cut the same way for any number of threads
-
-Triangle3 triangle_of(const IndexedMesh& mesh, Eigen::Index t) {
-  const auto corners = mesh.triangles.row(t);
-  return {mesh.points.row(corners(0)), mesh.points.row(corners(1)), mesh.points.row(corners(2))};
-}
 
 // Runs `find`, which appends what it finds about item i, over all items, and joins the findings in order.
 template <typename Finding, typename Find>
@@ -35,15 +34,27 @@ std::vector<Finding> gather(Eigen::Index count, unsigned threads, const Find& fi
   return all;
 }
 
+// Whether every component that lies in no other encloses a positive volume.
+bool is_outward(const IndexedMesh& cage, const Connectivity& connectivity) {
+  const Volumes volumes = find_volumes(cage, connectivity.components);
+  const std::vector<int> outermost = find_outermost(cage, connectivity.components, volumes);
+  for (std::size_t c = 0; c < outermost.size(); ++c)
+    if (outermost[c] == static_cast<int>(c) && !(volumes.of[c] > 0)) return false;
+  return true;
+}
+
 class Certifying {
  public:
   Certifying(const IndexedMesh& model, const IndexedMesh& cage, unsigned threads)
       : model_(model), cage_(cage), threads_(threads), tree_(cage) {}
 
   Certificate run() {
-    const MeshReport report = inspect(cage_);
+    const WeldedMesh welded = weld(cage_);
+    const Connectivity connectivity = connect(welded);
+    const MeshReport report = inspect(welded, connectivity);
     result_.closed = report.closed() && report.consistently_oriented() && report.bow_tie_vertices == 0 &&
-                     report.degenerate_triangles == 0 && report.welded_vertices == 0 && !report.inside_out;
+                     report.degenerate_triangles == 0 && report.welded_vertices == 0 &&
+                     is_outward(welded.mesh, connectivity);
     find_degenerate();
     find_self_intersections();
     find_model_intersections();

@@ -10,11 +10,13 @@
 namespace cagewright {
 
 struct EncloseOptions {
-  double delta = 0;       // clearance: the least distance from model to cage, as a fraction of the diagonal
-  bool in_plane = false;  // section corners stay in their slides' planes
-  double damping = 0.01;  // of equation (8), as in RefineOptions
-  bool tighten = true;    // take volume off again while the cage keeps its certificate
-  unsigned threads = 0;   // of the certificate; 0: all
+  double delta = 0;  // clearance: the least distance from model to cage, as a fraction of the diagonal
+  // Section corners stay in their slides' planes, and the angles of the sections within corner_angle of a right angle.
+  bool in_plane = true;
+  bool tighten = true;         // take volume off again while the cage keeps its certificate
+  unsigned threads = 0;        // 0: all
+  double corner_angle = 15;    // degrees
+  bool round_to_float = true;  // the points are floats in the end, as files hold them, and so certified
 };
 
 struct Enclosure {
@@ -25,10 +27,15 @@ struct Enclosure {
   int sweeps = 0;            // of tighten, over all vertices
   std::string
       shortfall;  // where the certificate or the clearance is not earned: which slides, and what to do; else empty
+  double first_volume = 0;  // of the cage before it was tightened, model units cubed
+  // Where sections were to stay in plane: those that could not, so that the cage encloses the model all the same.
+  std::vector<int> sections_off_plane;
+  double least_distance = 0;   // kept from the model everywhere, at most the clearance asked for, model units
+  double most_off_square = 0;  // of a section's angle from a right angle where sections stay in plane, degrees
 };
 
 // Moves the vertices of a refined cage until it bounds the model, exactly, and then takes off what volume it can:
-// push_out.h, untangle.h, tighten.h. Ends with the certificate of whatever was reached; never claims more. `model` is
+// start.h, push_out.h, tighten.h. Ends with the certificate of whatever was reached; never claims more. `model` is
 // what segmentation.cut was cut from. Same bits for any number of threads. Throws Error(cancelled). Thread-safe.
 Enclosure enclose(const Model& model, const Segmentation& segmentation, const std::vector<SectionFrame>& sections,
                   const Cage& cage, const std::vector<std::string>& names, const EncloseOptions& options,

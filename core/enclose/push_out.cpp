@@ -2,77 +2,192 @@
 #include "core/enclose/push_out.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "core/enclose/find_contacts.h"
+#include "core/enclose/solve_step.h"
 #include "core/enclose/triangle_distance.h"
 #include "core/error/error.h"
 #include "core/mesh/tolerance.h"
-#include "core/refine/trust_region.h"
+#include "core/parallel/parallel_for.h"
 
 namespace cagewright {
 namespace {
 
-constexpr double push = 8;  // weight in (8) of the triangles that have to move, as in the refinement
+using Whose = MovableCage::Whose;
 
-struct Pushes {
-  RefineRecord record;
-  std::vector<double> factors;
-  bool any = false;
+constexpr int fields = 5;          // along each side of a triangle: in each the farthest vertex counts
+constexpr double softness = 0.05;  // of what is wanted, against what has to be
+
+class Pushing {
+ public:
+  Pushing(const MovableCage& movable, const PushOptions& options, double margin)
+      : movable_(movable), options_(options), margin_(margin), walls_(movable.segmentation().parts.size()) {
+    for (int t = 0; t < movable.triangle_count(); ++t)
+      walls_[static_cast<std::size_t>(movable.cage().triangle_part[static_cast<std::size_t>(t)])].push_back(t);
+  }
+
+  // Conditions that bring in what is outside.
+  Contacts inward(const Outside& outside, const VertexNeighbours& neighbours) const {
+    std::vector<Farthest> farthest(static_cast<std::size_t>(movable_.triangle_count()) * fields * fields);
+    for (std::size_t v = 0; v < outside.vertices.size(); ++v)
+      if (outside.vertices[v]) offer(static_cast<int>(v), neighbours, farthest);
+    Contacts contacts;
+    for (std::size_t i = 0; i < farthest.size(); ++i)
+      if (farthest[i].distance >= 0) contacts.push_back(contact(static_cast<int>(i / (fields * fields)), farthest[i]));
+    for (int t = 0; t < movable_.triangle_count(); ++t)
+      for (const int k : outside.meeting[static_cast<std::size_t>(t)]) add_pierced(t, k, outside, contacts);
+    return contacts;
+  }
+
+ private:
+  struct Farthest {
+    double distance = -1;
+    Vector3 weights, n;
+  };
+
+  Contact contact(int t, const Farthest& far) const {
+    Contact contact = contact_of(movable_, t, far.weights, far.n, far.distance + margin_);
+    contact.softness = softness;
+    return contact;
+  }
+
+  std::vector<int> parts_of(int v, const VertexNeighbours& neighbours) const {
+    std::vector<int> parts;
+    for (int i = neighbours.first[static_cast<std::size_t>(v)]; i < neighbours.first[static_cast<std::size_t>(v) + 1];
+         ++i)
+      parts.push_back(movable_.segmentation()
+                          .triangle_part[static_cast<std::size_t>(neighbours.triangles[static_cast<std::size_t>(i)])]);
+    const int k = neighbours.triangles[static_cast<std::size_t>(neighbours.first[static_cast<std::size_t>(v)])];
+    const auto beyond = movable_.parts_beyond(k);
+    parts.insert(parts.end(), beyond.begin(), beyond.end());
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
+  }
+
+  void offer(int v, const VertexNeighbours& neighbours, std::vector<Farthest>& farthest) const {
+    const Vector3 p = movable_.model().points.row(v);
+    double least = std::numeric_limits<double>::infinity();
+    int nearest = -1;
+    Vector3 weights;
+    for (const int part : parts_of(v, neighbours))
+      for (const int t : walls_[static_cast<std::size_t>(part)]) {
+        if (movable_.box(t).squaredExteriorDistance(p) >= least) continue;
+        const Triangle3 corners = movable_.triangle(t);
+        const Vector3 here = nearest_on_triangle(p, corners);
+        const double squared = (at_barycentric(corners, here) - p).squaredNorm();
+        if (squared >= least) continue;
+        least = squared;
+        nearest = t;
+        weights = here;
+      }
+    if (nearest < 0) return;
+    const double distance = std::sqrt(least);
+    const Vector3 normal = movable_.normal(nearest);
+    Vector3 n = p - at_barycentric(movable_.triangle(nearest), weights);
+    n = distance > 0.1 * margin_ && n.dot(normal) > 0 ? Vector3(n / distance) : normal;
+    const auto field = [](double share) { return std::min(fields - 1, static_cast<int>(share * fields)); };
+    Farthest& far =
+        farthest[static_cast<std::size_t>((nearest * fields + field(weights[1])) * fields + field(weights[2]))];
+    if (distance > far.distance) far = {distance, weights, n};
+  }
+
+  // A model triangle that no vertex tells about: it meets an edge of the cage that points inward, or it belongs to
+  // another part, which the triangle then has to draw back from.
+  void add_pierced(int t, int k, const Outside& outside, Contacts& contacts) const {
+    constexpr double faces = -0.25;  // cosine: a model triangle turned towards the cage's from outside
+    const bool is_own = movable_.is_own(t, k);
+    const auto& triangles = movable_.model().triangles;
+    if (is_own)
+      for (int i = 0; i < 3; ++i)
+        if (outside.vertices[static_cast<std::size_t>(triangles(k, i))]) return;
+    const Triangle3 corners = movable_.triangle(t), model = triangle_of(movable_.model(), k);
+    const Vector3 middle = (model[0] + model[1] + model[2]) / 3, wall_normal = movable_.normal(t);
+    const Vector3 model_normal = (model[1] - model[0]).cross(model[2] - model[0]).stableNormalized();
+    const Vector3 n = is_own && wall_normal.dot(model_normal) > faces ? wall_normal : model_normal;
+    contacts.push_back(contact(t, {10 * margin_, nearest_on_triangle(middle, corners), n}));
+  }
+
+  const MovableCage& movable_;
+  const PushOptions& options_;
+  double margin_;
+  std::vector<std::vector<int>> walls_;  // of each part
 };
 
-Pushes find_pushes(const MovableCage& movable, const Points& plane_normals, double beyond) {
-  Pushes pushes;
-  const int count = movable.triangle_count();
-  RefineRecord& record = pushes.record;
-  record.before = movable.points();
-  record.plane_normal = plane_normals;
-  record.normals.resize(count, 3);
-  record.anchors.resize(count, 3);
-  pushes.factors.assign(static_cast<std::size_t>(count), 1.0);
-  for (int t = 0; t < count; ++t) {
-    const Triangle3 corners = movable.triangle(t);
-    const Vector3 normal = movable.normal(t);
-    const Vector3 barycenter = (corners[0] + corners[1] + corners[2]) / 3;
-    Vector3 anchor = barycenter;  // (7b)
-    double farthest = 0;          // by which the plane has to move
-    bool is_hit = false;
-    const auto offer = [&](double shift, const Vector3& where) {
-      if (shift <= farthest) return;
-      farthest = shift;
-      anchor = where;
-    };
-    movable.visit_hits(t, MovableCage::Whose::own, [&](const Triangle3& hit) {
-      is_hit = true;
-      for (const Vector3& p : hit) offer(normal.dot(p - corners[0]) + beyond, p + beyond * normal);  // (7a)
-      const double nearness = beyond - triangle_distance(hit, corners);  // at the triangle's border, behind its plane
-      offer(nearness, barycenter + nearness * normal);
+long amount_missing(const Outside& outside) {
+  long amount = std::count(outside.vertices.begin(), outside.vertices.end(), 1);
+  for (const std::vector<int>& meeting : outside.meeting) amount += static_cast<long>(meeting.size());
+  return amount;
+}
+
+// Cage and model triangles that are nearer to each other than the clearance, ascending.
+std::vector<std::pair<int, int>> find_too_near(const MovableCage& movable, const PushOptions& options) {
+  std::vector<std::vector<std::pair<int, int>>> found(static_cast<std::size_t>(movable.triangle_count()));
+  parallel_for(found.size(), options.threads, [&](std::size_t t) {
+    movable.visit_hits(static_cast<int>(t), Whose::any, options.clearance, [&](int k) {
+      found[t].emplace_back(static_cast<int>(t), k);
       return false;
     });
-    record.normals.row(t) = normal.transpose();
-    record.anchors.row(t) = anchor.transpose();
-    if (is_hit) pushes.factors[static_cast<std::size_t>(t)] = push;
-    pushes.any = pushes.any || is_hit;
-  }
-  return pushes;
+    std::sort(found[t].begin(), found[t].end());
+  });
+  std::vector<std::pair<int, int>> all;
+  for (const auto& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+  return all;
 }
 
 }  // namespace
 
-int push_out(MovableCage& movable, const Segmentation& segmentation, const Cage& cage, const Points& plane_normals,
-             double diagonal, const EncloseOptions& options, int most, const Progress& progress) {
-  Cage moving = cage;
-  for (int step = 0; step < most; ++step) {
-    if (progress && !progress(static_cast<double>(step) / most))
+int push_out(MovableCage& movable, const SectionShape& shape, const VertexNeighbours& neighbours,
+             const std::vector<int>& vertex_owners, const PushOptions& options, const Progress& progress) {
+  const auto count = static_cast<std::size_t>(movable.triangle_count());
+  Guard guard{options.guarded, std::vector<double>(count, options.gap), options.gap, {}, options.threads};
+  StepProblem problem;
+  problem.pull = Points::Zero(movable.vertex_count(), 3);
+  problem.mobility.assign(static_cast<std::size_t>(movable.vertex_count()), 1);
+  problem.plane_normals = shape.plane_normals();
+  problem.longest = tolerance::longest_push * options.diagonal;
+  long fewest = std::numeric_limits<long>::max();
+  int last_gain = 0;
+  for (int step = 0; step < options.most; ++step) {
+    if (progress && !progress(static_cast<double>(step) / options.most))
       throw Error(ErrorCode::cancelled, "cancelled while the cage was pushed out");
-    // A little farther every time, as (8) is a compromise.
-    const double beyond = (options.delta + tolerance::push_margin * (1 + step)) * diagonal;
-    Pushes pushes = find_pushes(movable, plane_normals, beyond);
-    if (!pushes.any) return step;
-    moving.points = movable.points();
-    trusted_step(segmentation, moving, pushes.factors, options.damping, tolerance::smallest_anchor_distance * diagonal,
-                 pushes.record);
-    movable.place_all(pushes.record.after);
+    const Outside outside = find_outside(movable, neighbours, options.gap, options.threads);
+    std::vector<std::pair<int, int>> too_near = find_too_near(movable, options);
+    if (outside.none && too_near.empty()) return step;
+    if (const long missing = amount_missing(outside) + static_cast<long>(too_near.size()); missing < fewest) {
+      fewest = missing;
+      last_gain = step;
+    }
+    if (step - last_gain > options.patience) return options.most;
+    // A little farther every time, as a step is right to first order only.
+    const double margin = tolerance::push_margin * (1 + step) * options.diagonal;
+    ContactQuery query{std::vector<double>(count, options.clearance + 0.1 * margin),
+                       2 * options.gap,
+                       problem.longest,
+                       std::move(too_near),
+                       &outside.vertices,
+                       &outside.meeting,
+                       options.threads};
+    // What has to be comes last: the solver then gives it the last word.
+    Contacts contacts = Pushing(movable, options, margin).inward(outside, neighbours);
+    Contacts others = find_contacts(movable, vertex_owners, query);
+    for (Contact& contact : others) contact.softness = contact.least > 0 ? softness : 0;
+    contacts.insert(contacts.end(), others.begin(), others.end());
+    for (Contact& contact : contacts) contact.least = std::min(contact.least, problem.longest);
+    shape.add_contacts(movable.points(), contacts);
+    guard.exempt.assign(count, 0);
+    guard.exempt = find_objections(movable, guard);
+    StepSolver solver(problem);
+    solver.add(contacts);
+    const GuardedMove moved = move_guarded(movable, shape, solver, guard, 0.1 * margin);
+    problem.longest *= moved.share < 0.95 ? 0.7 : 1.3;
+    problem.longest = std::clamp(problem.longest, 0.02 * tolerance::longest_push * options.diagonal,
+                                 tolerance::longest_push * options.diagonal);
   }
-  return most;
+  return options.most;
 }
 
 }  // namespace cagewright

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/enclose/enclose.h"
-#include "core/enclose/movable_cage.h"
+#include "core/enclose/guarded_move.h"
 
 namespace cagewright {
 
-// Both move one vertex at a time against the gradient of the cage's volume, sliding along the triangles that would run
-// into something, and adapt the vertex's step. Planes as in RefineRecord. O(sweeps * vertices * log n).
+struct TightenOptions {
+  std::vector<double> clearance;  // of each cage triangle, model units
+  double gap = 0;                 // between cage triangles without a common vertex
+  double diagonal = 0;
+  unsigned threads = 0;
+};
 
-// While anything but its own model is in a triangle's way (other cage triangles, other parts' model): moves that bring
-// no triangle into its own model and no more of the rest. Returns whether nothing is in the way any more.
-bool untangle(MovableCage& movable, const Points& plane_normals, double diagonal, const Progress& progress);
-
-// While volume comes off: moves after which no triangle at the vertex runs into anything. Returns the sweeps.
-// Precondition: nothing is in the way of any triangle; that stays so.
-int tighten(MovableCage& movable, const Points& plane_normals, double diagonal, const Progress& progress);
+// Takes volume off: all vertices at once go against the gradient of the cage's volume as far as, to first order,
+// nothing comes into their way (solve_step.h), and what does beyond that cuts them short (guarded_move.h); again, with
+// shorter steps, until hardly any volume comes off. Returns the steps. Precondition: nothing is in the way of any
+// triangle, and sections are in shape; both stays so. Throws Error(cancelled). The same for any number of threads.
+int tighten(MovableCage& movable, const SectionShape& shape, const std::vector<int>& vertex_owners,
+            const TightenOptions& options, const Progress& progress);
 
 }  // namespace cagewright

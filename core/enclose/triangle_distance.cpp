@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two triangles that do not meet are nearest at two of their edges, or at a corner of one and the inside of the other.
-// Segments: Ericson, Real-Time Collision Detection, 5.1.9; corner and triangle: 5.1.5, the inside alone.
+// Segments: Ericson, Real-Time Collision Detection, 5.1.9; corner and triangle: 5.1.5.
 #include "core/enclose/triangle_distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cagewright {
 namespace {
 
-double squared_distance(const Vector3& p, const Vector3& q, const Vector3& a, const Vector3& b) {
+// Shares of the way along pq and ab at which they are nearest.
+std::pair<double, double> nearest_of_segments(const Vector3& p, const Vector3& q, const Vector3& a, const Vector3& b) {
   const Vector3 u = q - p, v = b - a, w = p - a;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
   double s = 0, t = 0;
@@ -28,30 +30,70 @@ double squared_distance(const Vector3& p, const Vector3& q, const Vector3& a, co
   } else if (vv > 0) {
     t = std::clamp(vw / vv, 0.0, 1.0);
   }
-  return (w + s * u - t * v).squaredNorm();
+  return {s, t};
 }
 
-// Infinite where the foot of the perpendicular is not inside.
-double squared_distance_to_inside(const Vector3& p, const Triangle3& t) {
+Vector3 on_edge(std::size_t i, double share) {
+  Vector3 weights = Vector3::Zero();
+  weights[static_cast<Eigen::Index>(i)] = 1 - share;
+  weights[static_cast<Eigen::Index>((i + 1) % 3)] = share;
+  return weights;
+}
+
+// Whether the foot of the perpendicular from p is inside; then its barycentric coordinates.
+bool foot_inside(const Vector3& p, const Triangle3& t, Vector3& weights) {
   const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (normal.cross(t[(i + 1) % 3] - t[i]).dot(p - t[i]) < 0) return std::numeric_limits<double>::infinity();
-  const double length = normal.norm();
-  if (!(length > 0)) return std::numeric_limits<double>::infinity();
-  const double height = normal.dot(p - t[0]) / length;
-  return height * height;
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0)) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3& a = t[(i + 1) % 3];
+    weights[static_cast<Eigen::Index>(i)] = normal.dot((t[(i + 2) % 3] - a).cross(p - a)) / squared;
+  }
+  return weights.minCoeff() >= 0;
 }
 
 }  // namespace
 
-double triangle_distance(const Triangle3& s, const Triangle3& t) {
+Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t) {
+  Vector3 weights;
+  if (foot_inside(p, t, weights)) return weights;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
-    least = std::min({least, squared_distance_to_inside(s[i], t), squared_distance_to_inside(t[i], s)});
-    for (std::size_t j = 0; j < 3; ++j)
-      least = std::min(least, squared_distance(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
+    const Vector3 along = t[(i + 1) % 3] - t[i];
+    const double squared = along.squaredNorm();
+    const double share = squared > 0 ? std::clamp(along.dot(p - t[i]) / squared, 0.0, 1.0) : 0;
+    const double distance = (t[i] + share * along - p).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    weights = on_edge(i, share);
   }
-  return std::sqrt(least);
+  return weights;
 }
+
+NearestPoints nearest_points(const Triangle3& s, const Triangle3& t) {
+  NearestPoints best;
+  best.distance = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double squared, const Vector3& on_s, const Vector3& on_t) {
+    if (squared < best.distance) best = {squared, on_s, on_t};
+  };
+  Vector3 foot;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (foot_inside(s[i], t, foot)) offer((at_barycentric(t, foot) - s[i]).squaredNorm(), on_edge(i, 0), foot);
+    if (foot_inside(t[i], s, foot)) offer((at_barycentric(s, foot) - t[i]).squaredNorm(), foot, on_edge(i, 0));
+    const Vector3& p = s[i];
+    const Vector3& q = s[(i + 1) % 3];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vector3& a = t[j];
+      const Vector3& b = t[(j + 1) % 3];
+      const auto [along_s, along_t] = nearest_of_segments(p, q, a, b);
+      const double squared = (p + along_s * (q - p) - a - along_t * (b - a)).squaredNorm();
+      if (squared < best.distance) best = {squared, on_edge(i, along_s), on_edge(j, along_t)};
+    }
+  }
+  best.distance = std::sqrt(best.distance);
+  return best;
+}
+
+double triangle_distance(const Triangle3& s, const Triangle3& t) { return nearest_points(s, t).distance; }
 
 }  // namespace cagewright

@@ -9,6 +9,12 @@ namespace cagewright {
 
 using Triangle3 = std::array<Vector3, 3>;
 
+// The corners of a mesh's triangle.
+inline Triangle3 triangle_of(const IndexedMesh& mesh, Eigen::Index t) {
+  const auto corners = mesh.triangles.row(t);
+  return {mesh.points.row(corners(0)), mesh.points.row(corners(1)), mesh.points.row(corners(2))};
+}
+
 // All tests are exact for all finite doubles (predicates.h), on closed sets: to touch is to meet. Thread-safe. O(1).
 
 // Whether the corners lie on a line.

@@ -38,13 +38,9 @@ Winding::Winding(const IndexedMesh& mesh, const BoxTree& tree) : mesh_(mesh), tr
 
 std::optional<int> Winding::of(const Vector3& point) const {
   if (!box_.contains(point)) return 0;
-  const auto triangle = [&](int t) -> Triangle3 {
-    const auto corners = mesh_.triangles.row(t);
-    return {mesh_.points.row(corners(0)), mesh_.points.row(corners(1)), mesh_.points.row(corners(2))};
-  };
   bool is_on_mesh = false;
   tree_.visit(Box3(point), [&](int t) {
-    const Triangle3 corners = triangle(t);
+    const Triangle3 corners = triangle_of(mesh_, t);
     is_on_mesh = !is_degenerate(corners) && segment_meets_triangle(point, point, corners);
     return is_on_mesh;
   });
@@ -70,7 +66,7 @@ std::optional<int> Winding::of(const Vector3& point) const {
     Box3 box(point);
     box.extend(end);
     tree_.visit(box, [&](int t) {
-      const Crossing crossing = crossing_of(point, end, triangle(t));
+      const Crossing crossing = crossing_of(point, end, triangle_of(mesh_, t));
       is_sound = is_sound && crossing.is_sound;
       winding += crossing.sign;
       return !is_sound;

@@ -37,11 +37,6 @@ struct Keyed {
   }
 };
 
-Triangle3 triangle_of(const IndexedMesh& mesh, Eigen::Index t) {
-  const auto corners = mesh.triangles.row(t);
-  return {mesh.points.row(corners(0)), mesh.points.row(corners(1)), mesh.points.row(corners(2))};
-}
-
 // Calls body(first, last) for the blocks of 0 to count.
 template <class Body>
 void for_blocks(std::size_t count, unsigned threads, const Body& body) {

@@ -82,6 +82,14 @@ std::size_t orient_outward(IndexedMesh& mesh, const Connectivity& connectivity) 
   return turned;
 }
 
+// Of each vertex an input row, by the corners of triangles that are not turned yet.
+std::vector<int> find_given_vertices(const WeldedMesh& welded) {
+  std::vector<int> given(static_cast<std::size_t>(welded.mesh.points.rows()), -1);
+  for (Eigen::Index k = welded.given.size() - 1; k >= 0; --k)
+    given[static_cast<std::size_t>(welded.mesh.triangles.data()[k])] = welded.given.data()[k];
+  return given;
+}
+
 }  // namespace
 
 Model prepare_model(const IndexedMesh& mesh) {
@@ -92,6 +100,8 @@ Model prepare_model(const IndexedMesh& mesh) {
   require_closed_manifold(model.report);
 
   split_bow_ties(welded.mesh, connectivity.fans);  // before triangles are turned: fans are told by corner
+  model.given_vertices = find_given_vertices(welded);
+  model.given_triangles = std::move(welded.given_rows);
   model.report.turned_triangles = orient_outward(welded.mesh, connectivity);
   const Volumes volumes = find_volumes(welded.mesh, connectivity.components);
   require_volume(volumes, model.report);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "core/mesh/half_edge_mesh.h"
 #include "core/mesh/inspect.h"
 #include "core/mesh/types.h"
@@ -10,7 +12,8 @@ namespace cagewright {
 // A model that every stage can rely on: a closed, consistently oriented 2-manifold with outward normals.
 struct Model {
   HalfEdgeMesh mesh;
-  MeshReport report;              // of the input, with turned_triangles filled in
+  std::vector<int> given_vertices, given_triangles;  // of each of the mesh's: a row of the input at the same place
+  MeshReport report;                                 // of the input, with turned_triangles filled in
   double diagonal = 0;            // of the bounding box, model units; every tolerance is relative to it
   double volume = 0;              // > 0
   std::uint64_t fingerprint = 0;  // of the input's points and triangles: same input, same number

@@ -105,6 +105,7 @@ WeldedMesh weld(const IndexedMesh& mesh) {
       continue;
     }
     welded.given.row(kept) = mesh.triangles.row(t);
+    welded.given_rows.push_back(static_cast<int>(t));
     triangles.row(kept++) << a, b, c;
     row_of[a] = row_of[b] = row_of[c] = 0;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/mesh/types.h"
 
@@ -12,6 +13,7 @@ namespace cagewright {
 struct WeldedMesh {
   IndexedMesh mesh;                      // vertices and triangles in the order in which the input first names them
   Triangles given;                       // the kept triangles as the input names them: rows of its points
+  std::vector<int> given_rows;           // of the kept triangles, in the input
   std::size_t welded_vertices = 0;       // merged into an earlier one at the same position
   std::size_t degenerate_triangles = 0;  // dropped
   std::size_t unused_vertices = 0;       // dropped: named by no kept triangle

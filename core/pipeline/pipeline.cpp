@@ -24,7 +24,7 @@ class Stopwatch {
 };
 
 // Where each stage ends on the progress bar: about its share of the time on a model of 50,000 triangles.
-constexpr double segment_end = 0.4, meshing_end = 0.5;
+constexpr double segment_end = 0.2, meshing_end = 0.25, refine_end = 0.35;
 
 NeighbourPairs neighbours_of(const Segmentation& segmentation) {
   std::set<std::pair<int, int>> pairs;
@@ -57,13 +57,15 @@ PipelineResult make_cage(const Model& model, const std::vector<Slide>& slides, c
     return std::move(result);
   };
   Stopwatch watch;
+  const bool encloses = options.last_stage >= Stage::enclose && options.certify;
   result.segmentation = segment(model, slides, part_of_progress(0, segment_end, Stage::segment));
   result.segment_ms = watch.lap_ms();
+  result.neighbours = neighbours_of(result.segmentation);
   result.last_stage = Stage::segment;
   if (options.last_stage == Stage::segment) return finish();
 
   if (progress && !progress(segment_end, Stage::orient)) throw Error(ErrorCode::cancelled, "cancelled");
-  result.sections = orient(result.segmentation.ellipses, neighbours_of(result.segmentation), options.lambda);
+  result.sections = orient(result.segmentation.ellipses, result.neighbours, options.lambda);
   result.orient_ms = watch.lap_ms();
   result.last_stage = Stage::orient;
   if (options.last_stage == Stage::orient) return finish();
@@ -72,12 +74,19 @@ PipelineResult make_cage(const Model& model, const std::vector<Slide>& slides, c
   result.cage = mesh_cage(result.segmentation, result.sections, names);
   result.meshing_ms = watch.lap_ms();
   result.last_stage = Stage::meshing;
-  if (options.last_stage == Stage::refine) {
+  if (options.last_stage >= Stage::refine) {
     result.refinement = refine(result.segmentation, result.sections, *result.cage, model.diagonal, names,
-                               options.refine, part_of_progress(meshing_end, 1, Stage::refine));
+                               options.refine, part_of_progress(meshing_end, encloses ? refine_end : 1, Stage::refine));
     result.cage = result.refinement->cage;
     result.refine_ms = watch.lap_ms();
     result.last_stage = Stage::refine;
+  }
+  if (encloses) {
+    result.enclosure = enclose(model, result.segmentation, result.sections, *result.cage, names, options.enclose,
+                               part_of_progress(refine_end, 1, Stage::enclose));
+    result.cage->points = result.enclosure->points;
+    result.enclose_ms = watch.lap_ms();
+    result.last_stage = Stage::enclose;
   }
   measure(model, result);
   return finish();

@@ -103,6 +103,16 @@ TEST(Certificate, NamesWhatIsWrongWithTheCageItself) {
   EXPECT_FALSE(certify(ball, meshes::bow_tie()).closed);
 }
 
+TEST(Certificate, JudgesOutwardnessByComponent) {
+  const IndexedMesh ball = meshes::icosphere(1);
+  const IndexedMesh box = meshes::box({-3, -3, -3}, {3, 3, 3});
+  const IndexedMesh small = meshes::moved(meshes::icosphere(1), 1, {9, 0, 0});
+  EXPECT_TRUE(certify(ball, meshes::together(box, small)).encloses());
+  EXPECT_FALSE(certify(ball, meshes::together(box, meshes::inside_out(small))).closed) << "outweighed by the box";
+  const IndexedMesh cavity = meshes::inside_out(meshes::moved(meshes::icosphere(1), 0.2, {2.5, 2.5, 2.5}));
+  EXPECT_TRUE(certify(ball, meshes::together(box, cavity)).encloses()) << "a cavity beside the model";
+}
+
 TEST(Certificate, FindsEveryComponentThatIsOutside) {
   const IndexedMesh ball = meshes::icosphere(1);
   const IndexedMesh far = meshes::together(ball, meshes::moved(ball, 1, {9, 0, 0}));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/enclose/enclose.h"
 #include "core/enclose/triangle_distance.h"
@@ -62,15 +63,91 @@ TEST(Enclose, EarnsTheCertificateOnEveryBody) {
       EXPECT_TRUE(enclosure.shortfall.empty());
       EXPECT_TRUE(certify(body.mesh, {enclosure.points, refined.result.cage->triangles}).encloses());
       checks::expect_closed_manifold(enclosure.points, refined.result.cage->triangles, body.cage_genus);
-      if (!in_plane) continue;
-      const auto& sections = refined.result.cage->vertex_section;
-      for (std::size_t v = 0; v < sections.size(); ++v) {
-        if (sections[v] < 0) continue;
-        const SectionFrame& section = refined.result.sections[static_cast<std::size_t>(sections[v])];
-        const Vector3 corner = enclosure.points.row(static_cast<Eigen::Index>(v));
-        EXPECT_LT(std::abs(section.normal.dot(corner - section.center)), 1e-9 * refined.model.diagonal);
-      }
+      EXPECT_EQ(enclosure.points, Points(enclosure.points.cast<float>().cast<double>())) << "as files hold them";
     }
+}
+
+// Of all section corners: the farthest from its slide's plane, and the largest deviation from a right angle, degrees.
+struct Squareness {
+  double out_of_plane = 0, off_square = 0;
+};
+Squareness squareness_of(const Points& points, const std::vector<SectionFrame>& sections) {
+  Squareness worst;
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = [&](int j) -> Vector3 { return points.row(static_cast<Eigen::Index>(4 * k) + j % 4); };
+      const double height = std::abs(sections[k].normal.dot(corner(i) - sections[k].center));
+      worst.out_of_plane = std::max(worst.out_of_plane, height);
+      const Vector3 next = (corner(i + 1) - corner(i)).normalized(), last = (corner(i + 3) - corner(i)).normalized();
+      const double angle = std::acos(next.dot(last)) * 180 / std::numbers::pi;
+      worst.off_square = std::max(worst.off_square, std::abs(angle - 90));
+      EXPECT_GT(sections[k].normal.dot(next.cross(last)), 0) << "the section has turned over";
+    }
+  return worst;
+}
+
+TEST(Enclose, KeepsSectionsInTheirPlanesAndNearlySquare) {
+  for (const SlidBody& body : shapes::slid_bodies()) {
+    SCOPED_TRACE(body.name);
+    const Refined refined(body, 0, true);
+    EncloseOptions options;
+    const Enclosure rounded = refined.enclosed(options);
+    options.round_to_float = false;
+    const Enclosure exact = refined.enclosed(options);
+    const Squareness of_exact = squareness_of(exact.points, refined.result.sections);
+    EXPECT_LE(of_exact.out_of_plane, 1e-12 * refined.model.diagonal);
+    EXPECT_LE(of_exact.off_square, 15);
+    EXPECT_NEAR(of_exact.off_square, exact.most_off_square, 1e-6);
+    const Squareness of_rounded = squareness_of(rounded.points, refined.result.sections);
+    EXPECT_LE(of_rounded.out_of_plane, 1e-6 * refined.model.diagonal);
+    EXPECT_LE(of_rounded.off_square, 15);
+  }
+}
+
+TEST(Enclose, PutsSectionsThatWereRefinedFreelyBackIntoTheirPlanes) {
+  const Refined refined(shapes::fork(2), 0, false);
+  EncloseOptions options;
+  options.round_to_float = false;
+  options.corner_angle = 5;
+  ASSERT_GT(squareness_of(refined.result.cage->points, refined.result.sections).out_of_plane,
+            1e-3 * refined.model.diagonal);
+  const Enclosure enclosure = refined.enclosed(options);
+  EXPECT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
+  const Squareness squareness = squareness_of(enclosure.points, refined.result.sections);
+  EXPECT_LE(squareness.out_of_plane, 1e-12 * refined.model.diagonal);
+  EXPECT_LE(squareness.off_square, 5);
+}
+
+TEST(Enclose, GivesTheSameBitsForAnyNumberOfThreads) {
+  const Refined refined(shapes::figure(), 0, true);
+  EncloseOptions options;
+  options.delta = 0.002;
+  options.threads = 1;
+  const Enclosure one = refined.enclosed(options);
+  EXPECT_GT(one.pushes, 0);
+  EXPECT_GT(one.sweeps, 0);
+  for (const unsigned threads : {2u, 3u}) {
+    options.threads = threads;
+    const Enclosure many = refined.enclosed(options);
+    EXPECT_EQ(one.points, many.points);
+    EXPECT_EQ(one.pushes, many.pushes);
+    EXPECT_EQ(one.sweeps, many.sweeps);
+  }
+}
+
+// Steps of a descent part company after rounding, so a moved model's cage is another one, but of much the same volume.
+TEST(Enclose, BoundsAModelThatWasMovedAsTightly) {
+  const SlidBody body = shapes::fork(2);
+  const Refined here(body, 0, true);
+  const double ratio = here.volume_of(here.enclosed().points) / here.model.volume;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const shapes::Motion motion = shapes::random_motion(seed, 20, 5);
+    const Refined there(
+        {body.name, shapes::moved(body.mesh, motion), shapes::moved(body.slides, motion), body.cage_genus}, 0, true);
+    const Enclosure enclosure = there.enclosed();
+    EXPECT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
+    EXPECT_NEAR(there.volume_of(enclosure.points) / there.model.volume, ratio, 0.03 * ratio);
+  }
 }
 
 TEST(Enclose, TakesVolumeOffAndKeepsTheCertificate) {
@@ -89,8 +166,9 @@ TEST(Enclose, TakesVolumeOffAndKeepsTheCertificate) {
 }
 
 TEST(Enclose, KeepsTheClearance) {
-  for (const double delta : {0.001, 0.01}) {
-    const Refined refined(shapes::limb(3), delta);
+  for (const double delta : {0.001, 0.01, 0.05}) {
+    SCOPED_TRACE(delta);
+    const Refined refined(shapes::limb(3), 0, true);
     EncloseOptions options;
     options.delta = delta;
     const Enclosure enclosure = refined.enclosed(options);
@@ -102,12 +180,27 @@ TEST(Enclose, KeepsTheClearance) {
   }
 }
 
+TEST(Enclose, SaysWhereTheClearanceIsNotKept) {
+  const Refined refined(shapes::figure(), 0, true);  // its legs are closer to each other than that
+  EncloseOptions options;
+  options.delta = 0.06;
+  const Enclosure enclosure = refined.enclosed(options);
+  EXPECT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
+  ASSERT_FALSE(enclosure.keeps_delta);
+  const double least = least_distance(refined.body.mesh, {enclosure.points, refined.result.cage->triangles});
+  EXPECT_LT(least, 0.06 * refined.model.diagonal);
+  EXPECT_GE(least, enclosure.least_distance * (1 - 1e-5));
+  EXPECT_NE(enclosure.shortfall.find("not with the distance asked for everywhere"), std::string::npos);
+  EXPECT_NE(enclosure.shortfall.find("near '"), std::string::npos) << enclosure.shortfall;
+}
+
 TEST(Enclose, SaysWhichSlidesAreInTheWayWhereItFails) {
   const Refined refined(shapes::figure());
-  Cage crossed = *refined.result.cage;  // two sections in each other's places
-  const Points first = crossed.points.topRows(4);
-  crossed.points.topRows(4) = crossed.points.middleRows(12, 4);
-  crossed.points.middleRows(12, 4) = first;
+  Cage crossed = *refined.result.cage;  // two caps in each other's places, so that the tubes cross
+  const Eigen::Index caps = 4 * static_cast<Eigen::Index>(refined.result.sections.size());
+  const Points first = crossed.points.middleRows(caps, 4);
+  crossed.points.middleRows(caps, 4) = crossed.points.middleRows(caps + 4, 4);
+  crossed.points.middleRows(caps + 4, 4) = first;
   const Enclosure enclosure =
       enclose(refined.model, refined.result.segmentation, refined.result.sections, crossed, refined.names, {});
   ASSERT_FALSE(enclosure.certificate.encloses());

@@ -105,7 +105,10 @@ TEST(MeasureOracle, AgreesOnOurOwnCages) {
       for (Eigen::Index v = 0; v < cage.points.rows(); ++v)
         cage.points.row(v) += shaking * model.diagonal * random.uniform(0, 1) * random.direction().transpose();
       const auto model_file = write_off(body.mesh, "model"), cage_file = write_off(cage, "cage");
-      expect_as_oracle(body.mesh, cage, ask_oracle(model_file, cage_file));
+      const nlohmann::json verdict = ask_oracle(model_file, cage_file);
+      std::filesystem::remove(model_file);
+      std::filesystem::remove(cage_file);
+      expect_as_oracle(body.mesh, cage, verdict);
     }
   }
 }

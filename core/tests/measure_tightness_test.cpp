@@ -51,26 +51,29 @@ void expect_near(const Tightness& a, const Tightness& b, double scale, double to
   EXPECT_NEAR(a.clearance * scale, b.clearance, tolerance);
 }
 
-TEST(Tightness, IsExactForACubeInACube) {
-  const Tightness tightness = tightness_of(cube(1), cube(3));
-  const double diagonal = 2 * std::sqrt(3);
-  EXPECT_NEAR(tightness.volume_ratio.value(), 27, 1e-13);
-  EXPECT_EQ(tightness.coverage.value(), 1);
-  EXPECT_NEAR(tightness.clearance, 2 / diagonal, 1e-15);
-  // The rule of SurfaceSamples on a face of two right triangles, with distances to a cube by its faces' planes.
-  double sum = 0, most = 0;
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; i + j < 12; ++j)
-      for (const bool is_mirrored : {false, true}) {
-        const double u = (i + 1.0 / 3) / 12, v = (j + 1.0 / 3) / 12;
-        // The faces are cut along one diagonal; which corner is the first does not change the set of points.
-        const double x = is_mirrored ? 3 - 6 * u : -3 + 6 * u, y = is_mirrored ? 3 - 6 * v : -3 + 6 * v;
-        const double gap = std::hypot(2, std::max(std::abs(x) - 1, 0.0), std::max(std::abs(y) - 1, 0.0));
-        sum += gap;
-        most = std::max(most, gap);
-      }
-  EXPECT_NEAR(tightness.mean_gap, sum / 156 / diagonal, 1e-14);
-  EXPECT_NEAR(tightness.max_gap, most / diagonal, 1e-14);
+TEST(Tightness, IsExactForACubeInABox) {
+  for (const Vector3& half : {Vector3(3, 3, 3), Vector3(2, 3, 5)}) {
+    const Tightness tightness = tightness_of(cube(1), meshes::box(-half, half));
+    const double diagonal = 2 * std::sqrt(3);
+    EXPECT_NEAR(tightness.volume_ratio.value(), half.prod(), 1e-13 * half.prod());
+    EXPECT_EQ(tightness.coverage.value(), 1);
+    EXPECT_NEAR(tightness.clearance, (half.minCoeff() - 1) / diagonal, 1e-15);
+    // The rule of SurfaceSamples, on one of the two right triangles of each face: the other is its mirror image.
+    double sum = 0, area = 0, most = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double height = half[axis] - 1, side = half[(axis + 1) % 3], other = half[(axis + 2) % 3];
+      area += side * other;
+      for (int i = 0; i < 12; ++i)
+        for (int j = 0; i + j < 12; ++j) {
+          const double u = side * (2 * (i + 1.0 / 3) / 12 - 1), v = other * (2 * (j + 1.0 / 3) / 12 - 1);
+          const double gap = std::hypot(height, std::max(std::abs(u) - 1, 0.0), std::max(std::abs(v) - 1, 0.0));
+          sum += side * other * gap / 78;
+          most = std::max(most, gap);
+        }
+    }
+    EXPECT_NEAR(tightness.mean_gap, sum / area / diagonal, 1e-14);
+    EXPECT_NEAR(tightness.max_gap, most / diagonal, 1e-14);
+  }
 }
 
 TEST(Tightness, ComesNearTheIntegralsOverTheCage) {
@@ -132,6 +135,14 @@ TEST(Tightness, DoesNotDependOnVertexAndTriangleOrder) {
     expect_near(tightness_of(meshes::shuffled(model, seed), meshes::shuffled(cage, seed)), plain, 1, 1e-12);
 }
 
+TEST(Tightness, DoesNotDependOnWhichCornerOfATriangleIsTheFirst) {
+  const IndexedMesh model = meshes::icosphere(2),
+                    cage = shaken(meshes::moved(meshes::icosphere(0), 2, {0, 0, 0}), 8, 0.5);
+  IndexedMesh turned = cage;
+  for (int i = 0; i < 3; ++i) turned.triangles.col(i) = cage.triangles.col((i + 1) % 3);
+  expect_near(tightness_of(model, turned), tightness_of(model, cage), 1, 1e-12);
+}
+
 TEST(Tightness, IsTheSameBitsForAnyNumberOfThreads) {
   const IndexedMesh model = shaken(meshes::icosphere(5), 7, 0.01),
                     cage = meshes::moved(meshes::icosphere(1), 1.5, {0, 0, 0});
@@ -153,11 +164,13 @@ TEST(Tightness, FindsTheLeastDistanceThatAllPairsHave) {
     const IndexedMesh cage =
         shaken(meshes::moved(meshes::icosphere(seed % 3), random.uniform(1.5, 3), 0.1 * random.direction()), seed, 0.1);
     if (!certify(model, cage).model_cage_intersections.empty()) continue;
+    const double diagonal = diagonal_of(model);
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index s = 0; s < cage.triangles.rows(); ++s)
       for (Eigen::Index t = 0; t < model.triangles.rows(); ++t)
         least = std::min(least, triangle_distance(corners(model, t), corners(cage, s)));
-    EXPECT_NEAR(tightness_of(model, cage).clearance * diagonal_of(model), least, 1e-12);
+    EXPECT_NEAR(tightness_of(model, cage).clearance * diagonal, least, 1e-12);
+    EXPECT_NEAR(tightness_of(model, meshes::inside_out(cage)).clearance * diagonal, least, 1e-12);
   }
 }
 
@@ -199,6 +212,7 @@ TEST(Tightness, SaysThatACageFacesInward) {
   const Tightness tightness = tightness_of(cube(1), meshes::inside_out(cube(2)));
   EXPECT_NEAR(tightness.volume_ratio.value(), -8, 1e-12);
   EXPECT_EQ(tightness.coverage.value(), 0);
+  EXPECT_NEAR(tightness_of(meshes::inside_out(cube(1)), cube(2)).volume_ratio.value(), 8, 1e-12) << "the model does";
 }
 
 TEST(Tightness, DoesNotMindSplitVertices) {
@@ -224,6 +238,22 @@ TEST(Tightness, RefusesACageThatIsNone) {
   expect_error([&] { measure_tightness(MeasuredModel(model), cage, certificate); }, ErrorCode::mesh_not_finite,
                {"vertex 3"});
   expect_error([&] { measure_tightness(MeasuredModel(model), {}, certificate); }, ErrorCode::mesh_empty, {});
+}
+
+TEST(MeasuredModel, KnowsTheMomentsOfABoxesSurface) {
+  const Vector3 half(1, 2, 3), center(4, -5, 6);
+  const MeasuredModel model(meshes::box(center - half, center + half));
+  EXPECT_LT((model.to_model(model.centroid()) - center).norm(), 1e-12);
+  const double diagonal = 2 * half.norm(), sides = half[0] * half[1] + half[1] * half[2] + half[2] * half[0];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double ends = half[(axis + 1) % 3] * half[(axis + 2) % 3];
+    const double moment = half[axis] * half[axis] * (ends + (sides - ends) / 3) / sides;
+    EXPECT_NEAR(model.covariance()(axis, axis) * diagonal * diagonal, moment, 1e-12);
+    EXPECT_NEAR(model.covariance()(axis, (axis + 1) % 3), 0, 1e-14);
+  }
+  double sum = 0;
+  for (int v = 0; v < 8; ++v) sum += model.vertex_share(v);
+  EXPECT_NEAR(sum, 1, 1e-14);
 }
 
 TEST(SurfaceTree, FindsTheNearestTriangleFromAnyHint) {

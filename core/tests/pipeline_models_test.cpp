@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/enclose/enclose.h"
 #include "core/pipeline/pipeline.h"
 #include "core/tests/cage_checks.h"
 #include "core/tests/meshes.h"
@@ -83,6 +84,36 @@ TEST_P(PipelineOnModel, MakesAClosedConvergedCageThatMovesWithIt) {
   PipelineOptions three;
   three.refine.threads = 3;
   EXPECT_EQ(make_cage(model, slides, three).cage->points, here.cage->points);
+}
+
+TEST_P(PipelineOnModel, MakesACertifiedCageInPlaneAndFree) {
+  const auto mesh = read_off(GetParam());
+  if (!mesh) GTEST_SKIP() << GetParam() << ".off is in no model folder (see testdata/README.md)";
+  const std::vector<Slide> slides = read_slides(GetParam());
+  const std::vector<std::string> names = checks::names_of(slides);
+  const Model model = prepare_model(*mesh);
+  for (const bool in_plane : {true, false}) {
+    SCOPED_TRACE(in_plane ? "in plane" : "free");
+    PipelineOptions pipeline;
+    pipeline.refine.in_plane = in_plane;
+    const PipelineResult refined = make_cage(model, slides, pipeline);
+    EncloseOptions options;
+    options.in_plane = in_plane;
+    const Enclosure enclosure = enclose(model, refined.segmentation, refined.sections, *refined.cage, names, options);
+    const IndexedMesh cage = {enclosure.points, refined.cage->triangles};
+    EXPECT_EQ(certify(*mesh, cage).encloses(), enclosure.certificate.encloses());
+    EXPECT_LE(enclosure.most_off_square, 15);
+    EXPECT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
+    if (in_plane && std::string(GetParam()) == "man") {  // its armpits: see docs/decisions.md
+      EXPECT_LE(enclosure.sections_off_plane.size(), 4u);
+      EXPECT_NE(enclosure.shortfall.find("could not stay in their planes"), std::string::npos);
+      EXPECT_NE(enclosure.shortfall.find("'chest'"), std::string::npos) << enclosure.shortfall;
+    } else {
+      EXPECT_TRUE(enclosure.shortfall.empty()) << enclosure.shortfall;
+    }
+    EXPECT_LT(checks::volume_of(cage), enclosure.first_volume);
+    EXPECT_LT(checks::volume_of(cage), (in_plane ? 1.8 : 1.6) * model.volume);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Own, PipelineOnModel, testing::Values("biped", "quadruped", "octopus", "genus3", "blob"));
