@@ -8,6 +8,7 @@
 #include "core/mesh/inspect.h"
 #include "plugin/src/abi_struct.h"
 #include "plugin/src/barrier.h"
+#include "plugin/src/evaluation.h"
 #include "plugin/src/input.h"
 #include "plugin/src/names.h"
 #include "plugin/src/parameters.h"
@@ -173,6 +174,43 @@ cgw_status load_state(cgw_session* session, const cgw_stream* stream) {
   return guard_session(session, [&](cgw_session& s) { cagewright::plugin::load_state(s, stream); });
 }
 
+cgw_status get_certificate(const cgw_session* session, cgw_certificate* out) {
+  return guard_session(session, [&](const cgw_session& s) {
+    common_size(out, "cgw_certificate");
+    read_certificate(certificate_of(s), out);
+  });
+}
+
+cgw_status get_measures(const cgw_session* session, cgw_measures* out) {
+  return guard_session(session, [&](const cgw_session& s) {
+    common_size(out, "cgw_measures");
+    read_measures(figures_of(s), out);
+  });
+}
+
+cgw_status evaluation_create(const cgw_mesh* model, const cgw_mesh* cage, std::uint32_t threads, cgw_evaluation** out) {
+  return guard(thread_error(), [&] {
+    require(out, "where to put the evaluation");
+    *out = evaluate(model, cage, threads).release();
+  });
+}
+
+void evaluation_destroy(cgw_evaluation* evaluation) { delete evaluation; }
+
+cgw_status evaluation_certificate(const cgw_evaluation* evaluation, cgw_certificate* out) {
+  return guard(thread_error(), [&] {
+    require(evaluation, "the evaluation");
+    read_certificate(evaluation->certificate, out);
+  });
+}
+
+cgw_status evaluation_measures(const cgw_evaluation* evaluation, cgw_measures* out) {
+  return guard(thread_error(), [&] {
+    require(evaluation, "the evaluation");
+    read_measures(evaluation->figures, out);
+  });
+}
+
 constexpr cgw_api api = {
     .struct_size = sizeof(cgw_api),
     .abi_major = CGW_ABI_MAJOR,
@@ -208,6 +246,12 @@ constexpr cgw_api api = {
     .get_summary = get_summary,
     .save_state = save_state,
     .load_state = load_state,
+    .get_certificate = get_certificate,
+    .get_measures = get_measures,
+    .evaluation_create = evaluation_create,
+    .evaluation_destroy = evaluation_destroy,
+    .evaluation_certificate = evaluation_certificate,
+    .evaluation_measures = evaluation_measures,
 };
 
 }  // namespace

@@ -87,6 +87,8 @@ const char* stage_name(std::int32_t stage) noexcept {
       return "meshing";
     case CGW_STAGE_REFINE:
       return "refine";
+    case CGW_STAGE_ENCLOSE:
+      return "enclose";
     default:
       return "unknown";
   }

@@ -21,14 +21,18 @@ enum Index : std::size_t {
   in_plane,
   damping,
   push,
-  enclose_mode
+  enclose_mode,
+  enclose_in_plane,
+  enclose_corner_angle,
+  enclose_tighten
 };
 
 constexpr double default_lambda = PipelineOptions{}.lambda;
 constexpr RefineOptions default_refine{};
+constexpr EncloseOptions default_enclose{};
 
 constexpr const char* scope_names[] = {"local", "part"};  // in the order of RefineScope
-constexpr const char* enclose_names[] = {"off"};
+constexpr const char* enclose_names[] = {"off", "certify"};
 
 constexpr cgw_parameter number(std::int32_t type, const char* id, const char* label, const char* doc, const char* unit,
                                double default_value, double minimum, double maximum) {
@@ -62,8 +66,20 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
     number(CGW_PARAM_REAL, "refine.push", "Push",
            "Weight in equation (8) of triangles that still have to move over those that bound; 1 is the paper", "",
            default_refine.push, 1, 1e6),
-    choice("enclose.mode", "Certificate", "Prove that the cage encloses the model; this version offers off only",
-           enclose_names, 0),
+    choice("enclose.mode", "Certificate",
+           "Move the cage until it provably encloses the model (certify), or leave it as the paper's refinement does "
+           "(off)",
+           enclose_names, 1),
+    number(
+        CGW_PARAM_BOOLEAN, "enclose.in_plane", "Sections in plane",
+        "Keep the corners of every section in the plane of its slide, and its angles near right ones, while enclosing",
+        "", default_enclose.in_plane ? 1 : 0, 0, 1),
+    number(CGW_PARAM_REAL, "enclose.corner_angle", "Corner angle",
+           "How far the angles of sections that stay in plane may be from right ones", "degree",
+           default_enclose.corner_angle, 0, 60),
+    number(CGW_PARAM_BOOLEAN, "enclose.tighten", "Tighten",
+           "Take volume off the enclosing cage again while its certificate holds", "", default_enclose.tighten ? 1 : 0,
+           0, 1),
 };
 
 std::string to_text(double value) {
@@ -99,10 +115,8 @@ std::string range_of(const cgw_parameter& parameter) {
 }
 
 [[noreturn]] void refuse(const cgw_parameter& parameter, const std::string& given) {
-  const bool is_enclose = &parameter == &parameters[enclose_mode];
-  throw AbiError(CGW_ERROR_PARAMETER_OUT_OF_RANGE,
-                 "parameter '" + std::string(parameter.id) + "': " + given + " will not do; it has to be " +
-                     range_of(parameter) + (is_enclose ? ", for this version has no certificate stage" : ""));
+  throw AbiError(CGW_ERROR_PARAMETER_OUT_OF_RANGE, "parameter '" + std::string(parameter.id) + "': " + given +
+                                                       " will not do; it has to be " + range_of(parameter));
 }
 
 std::size_t index_of(std::string_view id) {
@@ -165,6 +179,16 @@ PipelineOptions Parameters::options(bool editing) const {
   options.refine.in_plane = values_[in_plane] != 0;
   options.refine.damping = values_[damping];
   options.refine.push = values_[push];
+  options.certify = values_[enclose_mode] != 0;
+  options.enclose.delta = values_[delta];
+  options.enclose.in_plane = values_[enclose_in_plane] != 0;
+  options.enclose.corner_angle = values_[enclose_corner_angle];
+  options.enclose.tighten = values_[enclose_tighten] != 0;
+  if (!options.certify) return options;
+  // Enclosing keeps the distance itself; a refinement that keeps it, too, would only start it from farther out. One
+  // that leaves the planes of the slides makes it harder to come back to them.
+  options.refine.delta = 0;
+  options.refine.in_plane = options.refine.in_plane || options.enclose.in_plane;
   return options;
 }
 

@@ -6,14 +6,11 @@
 #include <string>
 
 #include "plugin/src/abi_struct.h"
+#include "plugin/src/buffers.h"
 
 namespace cagewright::plugin {
 
 namespace {
-
-[[noreturn]] void not_ready(const std::string& what) {
-  throw AbiError(CGW_ERROR_NOT_READY, "there is no " + what + " yet; solve up to the stage that makes it");
-}
 
 const Results& results_of(const cgw_session& session, const char* what) {
   if (!session.results) not_ready(what);
@@ -27,29 +24,6 @@ void check_index(std::uint64_t index, std::uint64_t count, const char* what) {
                                                    std::to_string(count));
   }
 }
-
-// A host's buffer is wanted where its pointer is not NULL.
-void check_room(const void* buffer, std::uint64_t capacity, std::uint64_t count, const char* what) {
-  if (buffer && capacity < count) {
-    throw AbiError(CGW_ERROR_BUFFER_TOO_SMALL,
-                   "the buffer of the " + std::string(what) + " has room for " + std::to_string(capacity) +
-                       " rows, but there are " + std::to_string(count) + "; call with NULL pointers to get the counts");
-  }
-}
-
-template <class Matrix, class To>
-void copy_rows(const Matrix& from, To* to) {
-  if (!to) return;
-  static_assert(Matrix::IsRowMajor);
-  std::transform(from.data(), from.data() + from.size(), to, [](auto value) { return static_cast<To>(value); });
-}
-
-template <class From, class To>
-void copy_list(const std::vector<From>& from, To* to) {
-  if (to) std::transform(from.begin(), from.end(), to, [](From value) { return static_cast<To>(value); });
-}
-
-void copy_vector(const Vector3& from, double* to) { std::copy_n(from.data(), 3, to); }
 
 std::uint64_t rows(const auto& matrix) { return static_cast<std::uint64_t>(matrix.rows()); }
 
@@ -217,6 +191,8 @@ void read_summary(const cgw_session& session, cgw_summary* out) {
   summary.orient_ms = time(Stage::orient, made.orient_ms);
   summary.meshing_ms = time(Stage::meshing, made.meshing_ms);
   summary.refine_ms = time(Stage::refine, made.refine_ms);
+  summary.enclose_ms = time(Stage::enclose, made.enclose_ms);
+  summary.certified = made.enclosure && made.enclosure->certificate.encloses();
   write_struct(out, summary, "cgw_summary");
 }
 

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cagewright/cagewright.h"
 #include "core/mesh/prepare.h"
 #include "core/pipeline/pipeline.h"
 #include "plugin/src/barrier.h"
+#include "plugin/src/evaluation.h"
 #include "plugin/src/parameters.h"
 #include "plugin/src/slides.h"
 
@@ -18,10 +20,14 @@ namespace cagewright::plugin {
 // What a successful solve made.
 struct Results {
   PipelineResult made;
-  std::vector<std::uint64_t> slide_ids;  // of the slides at the time, in the order of the sections
-  double diagonal = 0;                   // of the model, model units
-  unsigned threads = 0;                  // that the solve could use
+  std::vector<std::uint64_t> slide_ids;                // of the slides at the time, in the order of the sections
+  double diagonal = 0;                                 // of the model, model units
+  unsigned threads = 0;                                // that the solve could use
+  mutable std::optional<CageCertificate> certificate;  // of the cage, once somebody has asked for it
+  mutable std::optional<CageFigures> figures;          // the same
 };
+
+inline constexpr unsigned most_threads = 256;  // more would only wait for each other
 
 // Writes to the host's log where it has one. Not noexcept: what a host throws goes to the barrier.
 void log(const cgw_host& host, std::int32_t level, const std::string& message);

@@ -12,12 +12,10 @@ namespace cagewright::plugin {
 
 namespace {
 
-constexpr unsigned most_threads = 256;  // more would only wait for each other
-
 cgw_solve_options checked(const cgw_solve_options* given) {
   const cgw_solve_options defaults = CGW_SOLVE_OPTIONS_INIT;
   const cgw_solve_options options = given ? read_struct(given, defaults, "cgw_solve_options") : defaults;
-  if (options.last_stage < CGW_STAGE_SEGMENT || options.last_stage > CGW_STAGE_REFINE) {
+  if (options.last_stage < CGW_STAGE_SEGMENT || options.last_stage > CGW_STAGE_ENCLOSE) {
     throw AbiError(CGW_ERROR_INVALID_ARGUMENT,
                    "last_stage is " + std::to_string(options.last_stage) + ", which is none of CGW_STAGE_*");
   }
@@ -37,13 +35,21 @@ StageProgress progress_of(const cgw_host& host) {
   };
 }
 
+void log_shortfalls(const cgw_host& host, const PipelineResult& made) {
+  const bool is_certified = made.enclosure && made.enclosure->shortfall.empty();
+  if (made.refinement && !made.refinement->converged && !is_certified)
+    log(host, CGW_LOG_WARNING, made.refinement->shortfall);
+  if (made.enclosure && !is_certified) log(host, CGW_LOG_WARNING, made.enclosure->shortfall);
+}
+
 }  // namespace
 
 void solve(cgw_session& session, const cgw_solve_options* given) {
   const cgw_solve_options asked = checked(given);
   PipelineOptions options = session.parameters.options(asked.editing == 1);
+  options.enclose.tighten = options.enclose.tighten && asked.editing == 0;
   options.last_stage = static_cast<Stage>(asked.last_stage);
-  options.refine.threads = std::min(thread_count(asked.threads), most_threads);
+  options.refine.threads = options.enclose.threads = std::min(thread_count(asked.threads), most_threads);
 
   auto results = std::make_unique<Results>();
   results->slide_ids = session.slides.ids();
@@ -56,9 +62,7 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
     if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);
     throw translated;
   }
-  const auto& refinement = results->made.refinement;
-  if (refinement && !refinement->converged && asked.editing == 0)
-    log(session.host, CGW_LOG_WARNING, refinement->shortfall);  // before the change: a host's log may throw
+  if (asked.editing == 0) log_shortfalls(session.host, results->made);  // before the change: a host's log may throw
   session.slides.settle(results->made.segmentation.ellipses);
   session.results = std::move(results);
 }

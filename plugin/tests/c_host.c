@@ -149,11 +149,24 @@ static void check_cage(const cgw_api* api, const cgw_session* session) {
   free_cage(&cage);
 }
 
-static void check_records(const cgw_api* api, const cgw_session* session) {
-  const uint64_t count = api->iteration_count(session);
+static void check_certificate(const cgw_api* api, const cgw_session* session) {
+  cgw_certificate certificate = CGW_CERTIFICATE_INIT;
+  cgw_measures measures = CGW_MEASURES_INIT;
+  EXPECT(api->get_certificate(session, &certificate) == CGW_OK);
+  EXPECT(certificate.encloses == 1 && certificate.keeps_distance == 1 && *certificate.message == 0);
+  EXPECT(api->get_measures(session, &measures) == CGW_OK);
+  EXPECT(measures.clearance >= 0.01 && measures.clearance <= 0.015 && measures.coverage == 1);
+}
+
+/* As the paper ends. */
+static void check_records(const cgw_api* api, cgw_session* session) {
+  uint64_t count;
   cgw_summary summary = CGW_SUMMARY_INIT;
   cgw_iteration iteration = CGW_ITERATION_INIT;
   double before[60], after[60];
+  EXPECT(api->set_parameter_text(session, "enclose.mode", "off") == CGW_OK);
+  EXPECT(api->solve(session, NULL) == CGW_OK);
+  count = api->iteration_count(session);
   EXPECT(api->get_summary(session, &summary) == CGW_OK);
   EXPECT(summary.last_stage == CGW_STAGE_REFINE && summary.iterations == count && summary.converged == 1);
   EXPECT(summary.cage_genus == 0 && summary.volume_ratio > 1 && summary.threads >= 1);
@@ -243,9 +256,10 @@ static void check_all(const cgw_api* api) {
   EXPECT(api->set_parameter_text(session, "refine.delta", "0.01") == CGW_OK);
   EXPECT(api->solve(session, NULL) == CGW_OK);
   if (*api->last_error(session)) fprintf(stderr, "%s\n", api->last_error(session));
-  EXPECT(watcher.falls == 0 && strcmp(watcher.stages, "segment orient meshing refine ") == 0);
+  EXPECT(watcher.falls == 0 && strcmp(watcher.stages, "segment orient meshing refine enclose ") == 0);
   if (failures == 0) {
     check_cage(api, session);
+    check_certificate(api, session);
     check_records(api, session);
     check_cancel(api, session, &watcher);
     check_state(api, session);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What was released must not move: the numbers, and the layout of every struct of ABI 1.0 on 64-bit machines.
+// What was released must not move: the numbers, and the layout of every struct of ABI 1.1 on 64-bit machines.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using cagewright::plugin::test::api;
 
-static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 0);
+static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 1);
 static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 2);
 static_assert(CGW_ERROR_INTERNAL == -1 && CGW_ERROR_INVALID_ARGUMENT == -2 && CGW_ERROR_OUT_OF_MEMORY == -3);
 static_assert(CGW_ERROR_BUFFER_TOO_SMALL == -4 && CGW_ERROR_NOT_READY == -5 && CGW_ERROR_UNKNOWN_SLIDE == -6);
@@ -36,6 +36,7 @@ static_assert(CGW_PARAM_REAL == 0 && CGW_PARAM_INTEGER == 1 && CGW_PARAM_BOOLEAN
 static_assert(CGW_SLIDE_STROKE == 0 && CGW_SLIDE_POINT_NORMAL == 1 && CGW_SLIDE_ELLIPSE == 2);
 static_assert(CGW_PART_ENCLOSED == 1);
 static_assert(CGW_STAGE_SEGMENT == 1 && CGW_STAGE_ORIENT == 2 && CGW_STAGE_MESHING == 3 && CGW_STAGE_REFINE == 4);
+static_assert(CGW_STAGE_ENCLOSE == 5);
 
 // A later minor version may add at the end: sizes may grow past these, offsets may not change.
 #define AT(type, field, offset) static_assert(offsetof(type, field) == (offset))
@@ -177,7 +178,7 @@ AT(cgw_iteration, weights, 88);
 AT(cgw_iteration, signed_distance, 96);
 AT(cgw_iteration, outermost, 104);
 AT(cgw_iteration, triangle_capacity, 112);
-SIZE(cgw_summary, 88);
+SIZE(cgw_summary, 104);
 AT(cgw_summary, last_stage, 4);
 AT(cgw_summary, iterations, 8);
 AT(cgw_summary, converged, 16);
@@ -190,12 +191,55 @@ AT(cgw_summary, orient_ms, 56);
 AT(cgw_summary, meshing_ms, 64);
 AT(cgw_summary, refine_ms, 72);
 AT(cgw_summary, extent, 80);
+AT(cgw_summary, enclose_ms, 88);
+AT(cgw_summary, certified, 96);
+AT(cgw_summary, reserved, 100);
+SIZE(cgw_certificate, 120);
+AT(cgw_certificate, encloses, 4);
+AT(cgw_certificate, closed, 8);
+AT(cgw_certificate, keeps_distance, 12);
+AT(cgw_certificate, degenerate_count, 16);
+AT(cgw_certificate, self_intersection_count, 24);
+AT(cgw_certificate, model_intersection_count, 32);
+AT(cgw_certificate, outside_count, 40);
+AT(cgw_certificate, degenerate_triangles, 48);
+AT(cgw_certificate, degenerate_capacity, 56);
+AT(cgw_certificate, self_intersections, 64);
+AT(cgw_certificate, self_intersection_capacity, 72);
+AT(cgw_certificate, model_intersections, 80);
+AT(cgw_certificate, model_intersection_capacity, 88);
+AT(cgw_certificate, outside_vertices, 96);
+AT(cgw_certificate, outside_capacity, 104);
+AT(cgw_certificate, message, 112);
+SIZE(cgw_measures, 176);
+AT(cgw_measures, reserved, 4);
+AT(cgw_measures, volume_ratio, 8);
+AT(cgw_measures, mean_gap, 16);
+AT(cgw_measures, max_gap, 24);
+AT(cgw_measures, coverage, 32);
+AT(cgw_measures, clearance, 40);
+AT(cgw_measures, least_dihedral, 48);
+AT(cgw_measures, greatest_dihedral, 56);
+AT(cgw_measures, greatest_aspect, 64);
+AT(cgw_measures, mean_asymmetry, 72);
+AT(cgw_measures, max_asymmetry, 80);
+AT(cgw_measures, worst_squareness, 88);
+AT(cgw_measures, worst_planarity, 96);
+AT(cgw_measures, worst_twist, 104);
+AT(cgw_measures, section_count, 112);
+AT(cgw_measures, twist_count, 120);
+AT(cgw_measures, squareness, 128);
+AT(cgw_measures, planarity, 136);
+AT(cgw_measures, section_capacity, 144);
+AT(cgw_measures, twist, 152);
+AT(cgw_measures, twist_between, 160);
+AT(cgw_measures, twist_capacity, 168);
 SIZE(cgw_stream, 32);
 AT(cgw_stream, reserved, 4);
 AT(cgw_stream, user, 8);
 AT(cgw_stream, read, 16);
 AT(cgw_stream, write, 24);
-SIZE(cgw_api, 256);
+SIZE(cgw_api, 304);
 AT(cgw_api, abi_major, 4);
 AT(cgw_api, abi_minor, 8);
 AT(cgw_api, parameter_count, 12);
@@ -229,11 +273,17 @@ AT(cgw_api, get_iteration, 224);
 AT(cgw_api, get_summary, 232);
 AT(cgw_api, save_state, 240);
 AT(cgw_api, load_state, 248);
+AT(cgw_api, get_certificate, 256);
+AT(cgw_api, get_measures, 264);
+AT(cgw_api, evaluation_create, 272);
+AT(cgw_api, evaluation_destroy, 280);
+AT(cgw_api, evaluation_certificate, 288);
+AT(cgw_api, evaluation_measures, 296);
 
 TEST(AbiTable, TellsItsSizeAndVersion) {
   EXPECT_EQ(api().struct_size, sizeof(cgw_api));
   EXPECT_EQ(api().abi_major, 1u);
-  EXPECT_EQ(api().abi_minor, 0u);
+  EXPECT_EQ(api().abi_minor, 1u);
   EXPECT_STREQ(api().version, CAGEWRIGHT_VERSION);
 }
 
@@ -283,7 +333,8 @@ TEST(AbiTable, NamesStatusesAndStages) {
   EXPECT_STREQ(api().stage_name(CGW_STAGE_SEGMENT), "segment");
   EXPECT_STREQ(api().stage_name(CGW_STAGE_REFINE), "refine");
   EXPECT_STREQ(api().stage_name(0), "unknown");
-  EXPECT_STREQ(api().stage_name(5), "unknown");
+  EXPECT_STREQ(api().stage_name(CGW_STAGE_ENCLOSE), "enclose");
+  EXPECT_STREQ(api().stage_name(6), "unknown");
 }
 
 }  // namespace

@@ -51,9 +51,13 @@ TEST(AbiParameters, ListWhatTheCommandLineReliesOn) {
   EXPECT_STREQ(scope.choices[0], "local");
   EXPECT_STREQ(scope.choices[1], "part");
   const cgw_parameter& enclose = parameters.at("enclose.mode");
-  ASSERT_EQ(enclose.choice_count, 1u);
+  ASSERT_EQ(enclose.choice_count, 2u);
   EXPECT_STREQ(enclose.choices[0], "off");
-  EXPECT_EQ(enclose.default_value, 0);
+  EXPECT_STREQ(enclose.choices[1], "certify");
+  EXPECT_EQ(enclose.default_value, 1);
+  EXPECT_EQ(parameters.at("enclose.in_plane").default_value, 1);
+  EXPECT_EQ(parameters.at("enclose.corner_angle").default_value, 15);
+  EXPECT_EQ(parameters.at("enclose.tighten").default_value, 1);
 }
 
 TEST(AbiParameters, AreInTheReferenceWithTheirDefaults) {
@@ -148,17 +152,6 @@ TEST(AbiParameters, RefuseTextThatIsNoValueAndQuoteIt) {
     EXPECT_NE(session.error().find(std::string("'").append(text).append("'")), std::string::npos) << session.error();
   }
   EXPECT_NE(session.error().find("local or part"), std::string::npos) << session.error();
-}
-
-TEST(AbiParameters, HaveNoCertificateYetAndSaySo) {
-  const Session session;
-  EXPECT_EQ(api().set_parameter_text(session, "enclose.mode", "certify"), CGW_ERROR_PARAMETER_OUT_OF_RANGE);
-  EXPECT_EQ(session.error(),
-            "parameter 'enclose.mode': 'certify' will not do; it has to be off, for this version has no certificate "
-            "stage");
-  EXPECT_EQ(api().set_parameter(session, "enclose.mode", 1), CGW_ERROR_PARAMETER_OUT_OF_RANGE);
-  EXPECT_NE(session.error().find("no certificate stage"), std::string::npos) << session.error();
-  EXPECT_EQ(get(session, "enclose.mode"), 0);
 }
 
 TEST(AbiParameters, ThatAreUnknownAreNamedWithThoseThatAreNot) {

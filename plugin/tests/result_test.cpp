@@ -86,6 +86,7 @@ TEST(AbiSolve, ThatFallsShortOfEquation9SaysWhereInTheLog) {
   const cgw_host host = logging();
   const SolvedCapsule capsule(&host);
   EXPECT_TRUE(logged().empty()) << testing::PrintToString(logged());
+  ASSERT_EQ(api().set_parameter_text(capsule.session, "enclose.mode", "off"), CGW_OK);
   ASSERT_EQ(api().set_parameter(capsule.session, "refine.iterations", 0), CGW_OK);
   ASSERT_EQ(api().set_parameter(capsule.session, "refine.delta", 0.1), CGW_OK);
   ASSERT_EQ(api().solve(capsule.session, nullptr), CGW_OK);
@@ -407,6 +408,7 @@ TEST(AbiResults, WriteNoArrayWhereOneIsTooSmallButSetTheCounts) {
 
 TEST(AbiResults, LetTheHostJudgeEquation9) {
   const SolvedCapsule solved;
+  ASSERT_EQ(api().set_parameter_text(solved.session, "enclose.mode", "off"), CGW_OK);
   const Session& s = solved.session;
   cgw_mesh_report report = CGW_MESH_REPORT_INIT;
   ASSERT_EQ(api().mesh_report(s, &report), CGW_OK);
@@ -436,6 +438,7 @@ TEST(AbiResults, IterationsFollowEachOther) {
   const SolvedCapsule solved;
   const Session& s = solved.session;
   ASSERT_EQ(api().set_parameter(s, "refine.delta", 0.02), CGW_OK);
+  ASSERT_EQ(api().set_parameter_text(s, "enclose.mode", "off"), CGW_OK);
   ASSERT_EQ(api().solve(s, nullptr), CGW_OK);
   const std::uint64_t count = api().iteration_count(s);
   ASSERT_GT(count, 1u);

@@ -48,7 +48,7 @@ TEST(AbiSolve, TellsAFractionThatNeverFallsAndTheStagesInOrder) {
   EXPECT_TRUE(std::is_sorted(told.fractions.begin(), told.fractions.end()));
   EXPECT_GE(told.fractions.front(), 0);
   EXPECT_LE(told.fractions.back(), 1);
-  EXPECT_EQ(told.stages, (std::vector<std::string>{"segment", "orient", "meshing", "refine"}));
+  EXPECT_EQ(told.stages, (std::vector<std::string>{"segment", "orient", "meshing", "refine", "enclose"}));
 }
 
 TEST(AbiSolve, CancelledAnywhereKeepsTheLastCage) {
@@ -196,6 +196,7 @@ TEST(AbiSolve, StopsAtTheStageAskedFor) {
 
 TEST(AbiSolve, TakesTheIterationsForEditing) {
   const SolvedCapsule solved;
+  ASSERT_EQ(api().set_parameter_text(solved.session, "enclose.mode", "off"), CGW_OK);
   const auto set = [&](const char* id, double value) {
     ASSERT_EQ(api().set_parameter(solved.session, id, value), CGW_OK);
   };

@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 #define CGW_ABI_MAJOR 1u
-#define CGW_ABI_MINOR 0u
+#define CGW_ABI_MINOR 1u
 #define CGW_ENTRY_POINT "cgw_get_api_v1"
 
 /* ---- status ---------------------------------------------------------------------------------------------------- */
@@ -245,15 +245,16 @@ typedef struct cgw_slide_info {
 #define CGW_STAGE_ORIENT 2  /* paper 3.2 */
 #define CGW_STAGE_MESHING 3 /* paper 3.3 */
 #define CGW_STAGE_REFINE 4  /* paper 3.4 */
+#define CGW_STAGE_ENCLOSE 5 /* earns the certificate; passed over where enclose.mode is off. Since 1.1 */
 
 typedef struct cgw_solve_options {
   uint32_t struct_size;
   int32_t last_stage; /* CGW_STAGE_*: solve up to and with this one */
-  uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations */
+  uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations, and no tightening */
   uint32_t threads;   /* 0: as many as the machine has; at most 256. Results are the same bits for any number. */
 } cgw_solve_options;
 #define CGW_SOLVE_OPTIONS_INIT \
-  { (uint32_t)sizeof(cgw_solve_options), CGW_STAGE_REFINE, 0, 0 }
+  { (uint32_t)sizeof(cgw_solve_options), CGW_STAGE_ENCLOSE, 0, 0 }
 
 #define CGW_PART_ENCLOSED 1u /* lies inside the rest of the model and has no cage of its own */
 
@@ -303,7 +304,7 @@ typedef struct cgw_section {
   double p[3], q[3];      /* half edges of the rectangle as oriented: corners are center +- p +- q */
   double x[2];            /* the minimiser of equation (1) for this slide, in the frame (u, v) of this struct; the 4th
                              power of p's direction is x / |x| */
-  double corners[12];     /* 4 x 3: the rectangle's corners in the cage as it is (refined where it was refined) */
+  double corners[12];     /* 4 x 3: the section's corners in the cage as it is (refined, enclosing) */
   int32_t cage_vertex[4]; /* rows of the corners in cgw_cage.vertices, or -1 before CGW_STAGE_MESHING */
   double normal[3];       /* unit, along u x v */
   double u[3], v[3];      /* principal radii, |u| >= |v|; as the frame (u, v) of x: their directions */
@@ -369,10 +370,72 @@ typedef struct cgw_summary {
   int64_t cage_genus;                       /* -1 before CGW_STAGE_MESHING, and where the welded cage is not manifold */
   double segment_ms, orient_ms, meshing_ms, refine_ms;
   double extent; /* model units: the length for D_BB in equation (9) as it was judged, all in model units:
-                    | -max - delta | <= 0.001 extent; turns with the model, at most the diagonal */
+                    | -max - delta | <= 0.001 extent; turns with the model, at most the diagonal. delta is
+                    refine.delta where enclose.mode is off, else 0: then CGW_STAGE_ENCLOSE keeps the distance */
+  /* Since 1.1. */
+  double enclose_ms;
+  uint32_t certified; /* 1: the last stage was CGW_STAGE_ENCLOSE, and get_certificate says `encloses` */
+  uint32_t reserved;
 } cgw_summary;
 #define CGW_SUMMARY_INIT \
-  { (uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0 }
+  { (uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/* ---- certificate and measures (since 1.1) ---------------------------------------------------------------------- */
+
+/* Whether a cage encloses a model, and what keeps it from it, by exact tests of the doubles given. Vertices and
+   triangles are rows of the meshes that were given: to set_mesh and by get_cage, or to evaluation_create. */
+typedef struct cgw_certificate {
+  uint32_t struct_size;
+  uint32_t encloses;         /* 1: closed is 1, the counts below are 0, and every vertex of the model is inside */
+  uint32_t closed;           /* 1: a closed, consistently oriented 2-manifold, every piece of it facing outward */
+  uint32_t keeps_distance;   /* 1: no point of cage and model is nearer than refine.delta asks for; 0 for evaluations */
+  uint64_t degenerate_count; /* set: cage triangles whose corners lie on a line */
+  uint64_t self_intersection_count;  /* set: pairs of cage triangles that meet but in what they share */
+  uint64_t model_intersection_count; /* set: model triangles that meet the cage; to touch is to meet */
+  uint64_t outside_count;            /* set: model vertices that are not inside; on the cage is not inside */
+  uint32_t* degenerate_triangles;    /* degenerate_count, or NULL */
+  uint64_t degenerate_capacity;
+  uint32_t* self_intersections; /* self_intersection_count x 2, or NULL */
+  uint64_t self_intersection_capacity;
+  uint32_t*
+      model_intersections; /* model_intersection_count x 2, or NULL: model triangle, first cage triangle it meets */
+  uint64_t model_intersection_capacity;
+  uint32_t* outside_vertices; /* outside_count, or NULL */
+  uint64_t outside_capacity;
+  const char* message; /* "" or the sentence that names the slides at fault and what to do; lives until the next solve
+                          or load_state. "" for evaluations */
+} cgw_certificate;
+#define CGW_CERTIFICATE_INIT \
+  { (uint32_t)sizeof(cgw_certificate), 0, 0, 0, 0, 0, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL }
+
+/* How closely a cage fits and how well it is shaped. Lengths are fractions of the diagonal of the model's bounding box,
+   angles are radians. What has no meaning is NaN: volume_ratio and coverage where a mesh is not closed, asymmetry where
+   the model is not symmetric, sections of an evaluation. docs/algorithms/measures.md defines each. */
+typedef struct cgw_measures {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double volume_ratio; /* cage over model */
+  double mean_gap;     /* from the cage to the model's surface, by the cage's area */
+  double max_gap;
+  double coverage;                          /* share of the model's vertices inside, by area */
+  double clearance;                         /* the least distance between cage and model, 0 where they meet */
+  double least_dihedral, greatest_dihedral; /* interior angle at the cage's edges: pi is flat */
+  double greatest_aspect;                   /* longest edge over 2 sqrt(3) times the inradius: 1 is equilateral */
+  double mean_asymmetry, max_asymmetry;     /* from the mirrored cage to the cage */
+  double worst_squareness; /* of a section: the largest difference of a corner's angle from a right one */
+  double worst_planarity;  /* of a section: the largest distance of a corner from its slide's plane */
+  double worst_twist;      /* between sections that bound one part: the angle of equation (2) */
+  uint64_t section_count;  /* set */
+  uint64_t twist_count;    /* set: pairs of sections that bound one part */
+  double* squareness;      /* section_count, or NULL */
+  double* planarity;       /* section_count, or NULL */
+  uint64_t section_capacity;
+  double* twist;          /* twist_count, or NULL */
+  int32_t* twist_between; /* twist_count x 2, or NULL: indices of sections */
+  uint64_t twist_capacity;
+} cgw_measures;
+#define CGW_MEASURES_INIT \
+  { (uint32_t)sizeof(cgw_measures), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, 0 }
 
 /* ---- streams --------------------------------------------------------------------------------------------------- */
 
@@ -390,7 +453,8 @@ typedef struct cgw_stream {
 
 /* ---- the table ------------------------------------------------------------------------------------------------- */
 
-typedef struct cgw_session cgw_session; /* one model with its slides, parameters and results */
+typedef struct cgw_session cgw_session;       /* one model with its slides, parameters and results */
+typedef struct cgw_evaluation cgw_evaluation; /* what any cage is to any model; immutable */
 
 typedef struct cgw_api {
   uint32_t struct_size;
@@ -463,6 +527,23 @@ typedef struct cgw_api {
      Errors: NOT_READY (no mesh), STREAM, STATE_*. */
   cgw_status (*save_state)(const cgw_session* session, const cgw_stream* stream);
   cgw_status (*load_state)(cgw_session* session, const cgw_stream* stream);
+
+  /* Since 1.1. */
+
+  /* [one-at-a-time] Of the cage as the last solve left it; found when first asked for, unless the solve has. Errors:
+     NOT_READY (no cage), BUFFER_TOO_SMALL. O((n + c) log n), n and c triangles. */
+  cgw_status (*get_certificate)(const cgw_session* session, cgw_certificate* out);
+  cgw_status (*get_measures)(const cgw_session* session, cgw_measures* out);
+
+  /* [any-thread] Certificate and measures of any cage: nothing is mended, but vertices at the same position count as
+     one, and the model may face inward. threads: as in cgw_solve_options. Errors: MESH_EMPTY (also: the model encloses
+     no volume), MESH_NOT_FINITE, MESH_INDEX; the sentence says which of the two meshes. O((n + c) log n). */
+  cgw_status (*evaluation_create)(const cgw_mesh* model, const cgw_mesh* cage, uint32_t threads, cgw_evaluation** out);
+  /* [any-thread] NULL is allowed. Not while another call uses it. */
+  void (*evaluation_destroy)(cgw_evaluation* evaluation);
+  /* [any-thread] Errors: BUFFER_TOO_SMALL; the sentence is last_error(NULL)'s. */
+  cgw_status (*evaluation_certificate)(const cgw_evaluation* evaluation, cgw_certificate* out);
+  cgw_status (*evaluation_measures)(const cgw_evaluation* evaluation, cgw_measures* out);
 } cgw_api;
 
 /* [any-thread] The only exported symbol. host_minor: the CGW_ABI_MINOR that the host was compiled with. The table is
