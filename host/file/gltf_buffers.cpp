@@ -49,8 +49,11 @@ class BufferReader {
     if (is_data_uri(uri)) {
       std::vector<unsigned char> bytes;
       std::string type;
-      if (!tinygltf::DecodeDataURI(&bytes, type, uri, 0, false)) {
-        fail(": its data URI " + in_quotes(uri) + " is no application/octet-stream in base64; export it again");
+      const auto text = base64_of(uri);
+      // tinygltf knows some media types only; which one it is says nothing of the bytes.
+      if (!text || !tinygltf::DecodeDataURI(&bytes, type, "data:application/octet-stream;base64," + std::string(*text),
+                                            0, false)) {
+        fail(": its data URI " + in_quotes(uri) + " is not base64; export it again");
       }
       holder = "its data URI";
       return bytes;

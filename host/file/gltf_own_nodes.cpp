@@ -16,6 +16,8 @@ bool is_slide_node(const tinygltf::Node& node) { return is_named(node, slide_ext
 
 bool is_cage_node(const tinygltf::Node& node) { return node.mesh >= 0 && is_named(node, cage_extension); }
 
+bool is_empty_cage_node(const tinygltf::Node& node) { return node.mesh < 0 && is_named(node, cage_extension); }
+
 bool shows_model(const tinygltf::Node& node) { return node.mesh >= 0 && !is_cage_node(node); }
 
 }  // namespace cagewright::host

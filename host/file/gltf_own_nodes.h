@@ -15,6 +15,8 @@ inline constexpr char cage_extension[] = "CAGEWRIGHT_cage";
 // By the extension, or by what `extras` still say. A cage has a mesh.
 bool is_slide_node(const tinygltf::Node& node);
 bool is_cage_node(const tinygltf::Node& node);
+// A cage's node that has lost its mesh.
+bool is_empty_cage_node(const tinygltf::Node& node);
 // Whether it has a mesh that is no cage.
 bool shows_model(const tinygltf::Node& node);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/file/gltf_uri.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <string>
 
@@ -24,7 +26,20 @@ std::string percent_decoded(std::string_view uri) {
 
 }  // namespace
 
-bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
+bool is_data_uri(std::string_view uri) {
+  constexpr std::string_view scheme = "data:";
+  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  return uri.size() >= scheme.size() &&
+         std::equal(scheme.begin(), scheme.end(), uri.begin(), [&](char s, char u) { return same(u, s); });
+}
+
+std::optional<std::string_view> base64_of(std::string_view uri) {
+  constexpr std::string_view mark = ";base64,";
+  const std::size_t comma = uri.find(',');
+  if (!is_data_uri(uri) || comma == uri.npos || comma + 1 < mark.size() + 5) return {};
+  if (uri.substr(comma + 1 - mark.size(), mark.size()) != mark) return {};
+  return uri.substr(comma + 1);
+}
 
 std::optional<std::filesystem::path> relative_path(std::string_view uri) {
   if (is_data_uri(uri) || uri.find("://") != uri.npos) return {};

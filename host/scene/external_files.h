@@ -18,6 +18,9 @@ namespace cagewright::host {
 std::vector<std::pair<std::filesystem::path, std::string>> external_copies(const SceneDocument& scene,
                                                                            const std::filesystem::path& out);
 
+// Files that the scene names and that such a copy would miss: outside its folder, or not there. A sentence each.
+std::vector<std::string> missed_files(const SceneDocument& scene, const std::filesystem::path& out);
+
 }  // namespace cagewright::host
 
 #endif

@@ -34,6 +34,12 @@ void each_item(const GltfJson* items, const Visit& visit) {
   for (const GltfJson& item : *items) visit(item);
 }
 
+std::optional<Eigen::Affine3d> inverse_of(const Eigen::Affine3d& transform) {
+  const Eigen::Affine3d inverse = transform.inverse();
+  const bool has_inverse = std::abs(transform.linear().determinant()) > 0 && inverse.matrix().allFinite();
+  return has_inverse ? std::optional(inverse) : std::nullopt;
+}
+
 std::optional<int> index_in(const GltfJson* json) {
   if (json == nullptr || !json->is_number_integer()) return {};
   return json->get<int>();
@@ -55,7 +61,7 @@ NodeTree::NodeTree(const std::filesystem::path& path, const GltfJson& json, cons
 
 void NodeTree::place(int node, const Eigen::Affine3d& local) {
   Place& here = places_[static_cast<std::size_t>(node)];
-  here.to_mesh = here.to_scene = local;
+  here.local = here.to_mesh = here.to_scene = local;
   if (here.parent < 0) return;
   const Place& above = at(here.parent);
   const tinygltf::Node& parent = model_.nodes[static_cast<std::size_t>(here.parent)];
@@ -120,7 +126,7 @@ Eigen::Affine3d NodeTree::first_matrix(int accessor) const {
   }
 }
 
-std::optional<Eigen::Affine3d> NodeTree::from_scene(int mesh_node) const {
+Eigen::Affine3d NodeTree::shown(int mesh_node) const {
   Eigen::Affine3d to_scene = at(mesh_node).to_scene;
   const int skin = model_.nodes[static_cast<std::size_t>(mesh_node)].skin;
   if (skin >= 0 && static_cast<std::size_t>(skin) < skins_.size()) {
@@ -128,9 +134,26 @@ std::optional<Eigen::Affine3d> NodeTree::from_scene(int mesh_node) const {
     to_scene = it.first_joint < 0 ? Eigen::Affine3d::Identity() : at(it.first_joint).to_scene;
     if (it.inverse_bind_matrices >= 0) to_scene = to_scene * first_matrix(it.inverse_bind_matrices);
   }
-  const Eigen::Affine3d inverse = to_scene.inverse();
-  const bool has_inverse = std::abs(to_scene.linear().determinant()) > 0 && inverse.matrix().allFinite();
-  return has_inverse ? std::optional(inverse) : std::nullopt;
+  return to_scene;
+}
+
+std::optional<Eigen::Affine3d> NodeTree::from_scene(int mesh_node) const { return inverse_of(shown(mesh_node)); }
+
+std::optional<Eigen::Affine3d> NodeTree::pose(int mesh_node) const {
+  if (model_.nodes[static_cast<std::size_t>(mesh_node)].skin < 0) return Eigen::Affine3d::Identity();
+  const auto inverse = inverse_of(at(mesh_node).to_scene);
+  return inverse ? std::optional(*inverse * shown(mesh_node)) : std::nullopt;
+}
+
+Eigen::Affine3d NodeTree::to_scene_below(int node, const std::string& name,
+                                         const std::optional<Eigen::Affine3d>& pose) const {
+  Eigen::Affine3d up = Eigen::Affine3d::Identity();
+  for (int here = node; here >= 0; here = parent(here)) {
+    const bool is_in_its_place = !name.empty() && model_.nodes[static_cast<std::size_t>(here)].name == name;
+    if (is_in_its_place) return at(here).to_scene * pose.value_or(Eigen::Affine3d::Identity()) * up;
+    up = at(here).local * up;
+  }
+  return up;
 }
 
 }  // namespace cagewright::host

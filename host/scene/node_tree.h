@@ -39,11 +39,18 @@ class NodeTree {
   // From the scene to the mesh of a node: the bind pose of a skinned one, as glTF does not look at its node. Empty
   // where there is no inverse. Throws FileError where the skin's matrices cannot be read.
   std::optional<Eigen::Affine3d> from_scene(int mesh_node) const;
+  // From the mesh, as the scene shows it, to the mesh node: the identity but for skins whose bind pose is elsewhere.
+  // Empty and throws as above.
+  std::optional<Eigen::Affine3d> pose(int mesh_node) const;
+  const Eigen::Affine3d& local(int node) const { return at(node).local; }
+  // For nodes below `node` (-1: at the root) that have lost their mesh node: from their space to the scene. Where an
+  // ancestor has the name of that mesh node it is in its place, and `pose` is what the mesh node's was.
+  Eigen::Affine3d to_scene_below(int node, const std::string& name, const std::optional<Eigen::Affine3d>& pose) const;
 
  private:
   struct Place {
     int parent = -1, mesh_node = -1, carrier = -1;
-    Eigen::Affine3d to_mesh = Eigen::Affine3d::Identity(), to_scene = Eigen::Affine3d::Identity();
+    Eigen::Affine3d local = Eigen::Affine3d::Identity(), to_mesh = local, to_scene = local;
     bool is_named = false;
   };
   const Place& at(int node) const { return places_[static_cast<std::size_t>(node)]; }
@@ -52,6 +59,7 @@ class NodeTree {
   void find_skins(const GltfJson& json);
 
   Eigen::Affine3d first_matrix(int accessor) const;
+  Eigen::Affine3d shown(int mesh_node) const;
 
   struct Skin {
     int first_joint = -1, inverse_bind_matrices = -1;

@@ -11,7 +11,8 @@
 namespace cagewright::host {
 namespace {
 
-constexpr char keeps_key[] = "keeps", source_name_key[] = "source_name", source_mesh_key[] = "source_mesh";
+constexpr char keeps_key[] = "keeps", source_name_key[] = "source_name", source_mesh_key[] = "source_mesh",
+               source_pose_key[] = "source_pose";
 
 // Reads one extension's object; every refusal names the node and the key.
 class OwnReader {
@@ -62,6 +63,19 @@ class OwnReader {
     if (found && !found->is_string()) fail(key, "a string");
     return found ? found->get<std::string>() : "";
   }
+  std::optional<Eigen::Affine3d> pose() const {
+    const GltfJson* found = array(source_pose_key, "16 numbers");
+    if (found == nullptr) return {};
+    if (found->size() != 16) fail(source_pose_key, "16 numbers");
+    Eigen::Matrix4d matrix;
+    for (Eigen::Index i = 0; i < 16; ++i) {
+      const auto number = number_in((*found)[static_cast<std::size_t>(i)]);
+      if (!number) fail(source_pose_key, "16 numbers");
+      matrix.data()[i] = *number;
+    }
+    return Eigen::Affine3d(matrix);
+  }
+
   SourceNames source() const { return {text(source_name_key), text(source_mesh_key)}; }
 
   std::vector<std::string> keeps() const {
@@ -123,9 +137,10 @@ void write_own(const char* extension, const std::vector<const char*>& own_keys, 
   merge(extension, shadow_keys, values, object_at(node, "extras"));
 }
 
-void add_names(const SourceNames& names, GltfJson& values) {
-  if (!names.node.empty()) values[source_name_key] = names.node;
-  if (!names.mesh.empty()) values[source_mesh_key] = names.mesh;
+void add_source(const SourceNode& source, GltfJson& values) {
+  if (!source.names.node.empty()) values[source_name_key] = source.names.node;
+  if (!source.names.mesh.empty()) values[source_mesh_key] = source.names.mesh;
+  if (source.pose) values[source_pose_key] = std::vector<double>(source.pose->data(), source.pose->data() + 16);
 }
 
 }  // namespace
@@ -159,6 +174,7 @@ OwnSlideExtension read_slide_extension(const std::filesystem::path& path, const 
     }
   }
   own.source = reader.source();
+  own.pose = reader.pose();
   own.keeps = reader.keeps();
   return own;
 }
@@ -193,31 +209,32 @@ OwnCageExtension read_cage_extension(const std::filesystem::path& path, const st
     if (!certificate->is_object()) reader.fail("certificate", "an object");
     cage.certificate = gltf_json_text(*certificate);
   }
-  return {std::move(cage), reader.source(), reader.keeps()};
+  return {std::move(cage), reader.source(), reader.pose(), reader.keeps()};
 }
 
 void write_slide_extension(const SceneSlide& slide, const SourceNode& source,
                            const std::optional<TranslationRotationScale>& fitted, GltfJson& node) {
   GltfJson values = {{"id", slide.id}};
-  add_names(source.names, values);
+  add_source(source, values);
   if (!slide.stroke.empty() && fitted) {
     values["stroke"] = slide.stroke;
     values["fitted"] = *fitted;
   }
-  write_own(slide_extension, {"id", source_name_key, source_mesh_key, "stroke", "fitted", keeps_key}, values,
-            {"id", source_name_key, source_mesh_key}, node);
+  write_own(slide_extension, {"id", source_name_key, source_mesh_key, source_pose_key, "stroke", "fitted", keeps_key},
+            values, {"id", source_name_key, source_mesh_key, source_pose_key}, node);
 }
 
 void write_cage_extension(const SceneCage& cage, const SourceNode& source, GltfJson& node) {
   GltfJson values = {{"source", source.node}, {"parameters", GltfJson::object()}};
-  add_names(source.names, values);
+  add_source(source, values);
   for (const auto& [id, value] : cage.parameters) values["parameters"][id] = value;
   values["slides"] = cage.slides;
   values["sections"] = cage.sections;
   if (!cage.certificate.empty()) values["certificate"] = parse_gltf_json({}, cage.certificate);
   write_own(cage_extension,
-            {"source", source_name_key, source_mesh_key, "parameters", "slides", "sections", "certificate", keeps_key},
-            values, {source_name_key, source_mesh_key, "slides"}, node);
+            {"source", source_name_key, source_mesh_key, source_pose_key, "parameters", "slides", "sections",
+             "certificate", keeps_key},
+            values, {source_name_key, source_mesh_key, source_pose_key, "slides"}, node);
 }
 
 void write_keeps(const std::set<std::string>& keeps, GltfJson& node) {

@@ -2,6 +2,7 @@
 #ifndef CAGEWRIGHT_HOST_SCENE_OWN_EXTENSION_H
 #define CAGEWRIGHT_HOST_SCENE_OWN_EXTENSION_H
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -24,6 +25,7 @@ struct SourceNames {
 struct OwnSlideExtension {
   std::int64_t id = 0;
   SourceNames source;
+  std::optional<Eigen::Affine3d> pose;  // from the mesh, as the scene showed it, to its node; empty: the identity
   std::vector<Point3> stroke;
   std::optional<TranslationRotationScale> fitted;
   std::vector<std::string> keeps;
@@ -32,6 +34,7 @@ struct OwnSlideExtension {
 struct OwnCageExtension {
   SceneCage cage;  // its parameters, slides, sections and certificate
   SourceNames source;
+  std::optional<Eigen::Affine3d> pose;
   std::vector<std::string> keeps;
 };
 
@@ -44,6 +47,7 @@ OwnCageExtension read_cage_extension(const std::filesystem::path& path, const st
 struct SourceNode {
   int node = -1;
   SourceNames names;
+  std::optional<Eigen::Affine3d> pose;
 };
 
 // Put the extension and its shadow in `extras` into a node. What others have there stays, also in the extension, and

@@ -46,6 +46,7 @@ class PuttingTogether {
       for (const SceneSlide& slide : content_.slides) add(slide);
       add_cages();
       link_children();
+      drop_empty_shells();
       drop_holes_at_the_end();
       name_extensions();
       if (first_own_ >= 0) write_keeps(filled_, node(first_own_));
@@ -98,6 +99,7 @@ class PuttingTogether {
 
   int put(const NodeAsRead* read, GltfJson value, int parent) {
     const int index = place_for(read ? read->home : -1);
+    owned_.insert(index);
     node(index) = std::move(value);
     if (!read || !read->is_pinned) parents_[index] = parent;
     return index;
@@ -153,7 +155,10 @@ class PuttingTogether {
       return name && name->is_string() ? name->get<std::string>() : "";
     };
     const GltfJson* mesh = find_key(node(mesh_node), "mesh");
-    return {mesh_node, {name_in(node(mesh_node)), name_in(json_["meshes"][mesh->get<std::size_t>()])}};
+    const auto pose = base_.poses.find(mesh_node);
+    return {mesh_node,
+            {name_in(node(mesh_node)), name_in(json_["meshes"][mesh->get<std::size_t>()])},
+            pose == base_.poses.end() ? std::nullopt : std::optional(pose->second)};
   }
 
   void add(const SceneSlide& slide) {
@@ -214,6 +219,37 @@ class PuttingTogether {
     for (const auto& [scene, place] : read.roots) roots_.emplace_back(scene, place, index);
   }
 
+  void drop_empty_shells() {
+    for (const auto& [shell, parent] : base_.shells) {
+      for (int here = shell; is_empty_shell(here); here = base_.shells.at(here)) unlink(here, base_.shells.at(here));
+    }
+  }
+
+  bool is_empty_shell(int index) {
+    if (base_.shells.count(index) == 0 || owned_.count(index) > 0 || holes_.count(index) > 0) return false;
+    const GltfJson* children = find_key(node(index), "children");
+    return !children || children->empty();
+  }
+
+  void unlink(int shell, int parent) {
+    const auto remove_from = [shell](GltfJson& holder, const char* key) {
+      GltfJson* items = find_key(holder, key);
+      if (items == nullptr || !items->is_array()) return;
+      const auto found = std::find(items->begin(), items->end(), shell);
+      if (found == items->end()) return;
+      items->erase(found);
+      if (items->empty()) holder.erase(key);
+    };
+    GltfJson* scenes = find_key(json_, "scenes");
+    if (parent >= 0) {
+      remove_from(node(parent), "children");
+    } else if (scenes != nullptr) {
+      for (GltfJson& scene : *scenes) remove_from(scene, "nodes");
+    }
+    node(shell) = GltfJson::object();
+    holes_.insert(shell);
+  }
+
   void drop_holes_at_the_end() {
     while (!holes_.empty() && *holes_.rbegin() == static_cast<int>(nodes().size()) - 1) {
       nodes().erase(nodes().size() - 1);
@@ -238,7 +274,7 @@ class PuttingTogether {
       if (is_used && found == used->end()) {
         used->push_back(name);
       } else if (!is_used && found != used->end()) {
-        used->erase(found);
+        used->erase(std::remove(found, used->end(), GltfJson(name)), used->end());
         if (used->empty() && base_.keeps.count("/extensionsUsed") == 0) json_.erase("extensionsUsed");
       }
     }
@@ -258,6 +294,7 @@ class PuttingTogether {
   GltfJson json_;
   std::set<int> holes_;
   std::set<int> moved_;                           // places of slides that have another transform by now
+  std::set<int> owned_, dropped_;                 // places of ours; of shells that went
   std::map<int, bool> carries_;                   // of places of slides: whether they or one above have moved
   std::set<std::string> filled_;                  // arrays that were there and empty
   std::map<int, int> parents_;                    // of our nodes, but for those that have stayed where they were

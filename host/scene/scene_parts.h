@@ -54,11 +54,13 @@ struct CageBlock {
 // What is others'. Nodes of ours that have something after them have left an empty node in their place.
 struct SceneBase {
   GltfJson json;
-  std::set<int> holes;            // places of nodes that are ours to use
-  std::vector<CageBlock> blocks;  // places of geometry that are ours to use
-  std::map<int, int> carriers;    // of slides' nodes that have one: the next slide on the way to the mesh node
-  std::set<std::string> keeps;    // JSON pointers of arrays that are there though empty
-  std::set<std::string> drops;    // of arrays that only we have filled: there, empty, only for their place
+  std::set<int> holes;                   // places of nodes that are ours to use
+  std::vector<CageBlock> blocks;         // places of geometry that are ours to use
+  std::map<int, Eigen::Affine3d> poses;  // of skinned mesh nodes: node_tree.h; where it is not the identity
+  std::map<int, int> shells;    // nodes of ours that stay only for the sake of others of ours below them; their parents
+  std::map<int, int> carriers;  // of slides' nodes that have one: the next slide on the way to the mesh node
+  std::set<std::string> keeps;  // JSON pointers of arrays that are there though empty
+  std::set<std::string> drops;  // of arrays that only we have filled: there, empty, only for their place
 };
 
 struct TakenApart {

@@ -41,13 +41,21 @@ class TakingApart {
 
   TakenApart run() {
     if (find_key(result_.base.json, "nodes") == nullptr) return std::move(result_);
+    find_poses();
     for (int node = 0; node < tree_.size(); ++node) {
       if (is_slide(node)) read([&] { read_slide(node); }, node);
-      if (is_cage(node) && tree_.mesh_node(node) >= 0) read([&] { read_cage(node); }, node);
+      if (is_empty_cage_node(typed(node))) {
+        note(place_of(node) + " has no mesh, and stays as it is: delete it, or strip the scene");
+        add_stray(node);
+      }
     }
-    for (int node = 0; node < tree_.size(); ++node) {
-      if (is_cage(node) && tree_.mesh_node(node) < 0) read([&] { read_cage(node); }, node);
+    // Of several cages of one mesh the one that lies where we have put it counts, so that it stays the same one.
+    for (const Place place : {Place::in_mesh_space, Place::moved, Place::orphaned}) {
+      for (int node = 0; node < tree_.size(); ++node) {
+        if (is_cage(node) && cage_place(node) == place) read([&] { read_cage(node); }, node);
+      }
     }
+    find_shells();
     for (std::string& sentence : name_apart(result_.content)) note(sentence);
     detach_nodes(result_.base, result_.content, nodes_);
     detach_cage_geometry(result_.base, result_.content);
@@ -64,9 +72,47 @@ class TakingApart {
   void note(const std::string& sentence) { result_.notes.push_back(path_.string() + ": " + sentence); }
   const tinygltf::Node& typed(int node) const { return model_.nodes[static_cast<std::size_t>(node)]; }
   bool is_cage(int node) const { return is_cage_node(typed(node)); }
-  bool is_slide(int node) const { return is_slide_node(typed(node)) && !is_cage(node); }
+  bool is_slide(int node) const {
+    return is_slide_node(typed(node)) && !is_cage(node) && !is_empty_cage_node(typed(node));
+  }
+
+  enum class Place { in_mesh_space, moved, orphaned };
+  Place cage_place(int node) const {
+    if (tree_.mesh_node(node) < 0) return Place::orphaned;
+    return tree_.to_mesh(node).matrix() == Eigen::Matrix4d::Identity() ? Place::in_mesh_space : Place::moved;
+  }
+
+  void find_poses() {
+    for (int node = 0; node < tree_.size(); ++node) {
+      if (!shows_model(typed(node)) || typed(node).skin < 0) continue;
+      const auto pose = tree_.pose(node);
+      if (pose && !pose->matrix().isIdentity(1e-6)) result_.base.poses.emplace(node, *pose);
+    }
+  }
+
+  // Nodes that are pinned by nothing but nodes of ours below them.
+  void find_shells() {
+    const auto look = [&](const auto& owners, const std::vector<int>& places) {
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        GltfJson rest = owners[k].as_read->node;
+        const GltfJson* children = find_key(rest, "children");
+        if (!owners[k].as_read->is_pinned || tree_.is_named(places[k]) || !children || !children->is_array()) continue;
+        const bool only_ours = std::all_of(children->begin(), children->end(), [&](const GltfJson& child) {
+          const int node = child.is_number_integer() ? child.get<int>() : -1;
+          return node >= 0 && node < tree_.size() && (is_slide(node) || is_cage(node));
+        });
+        rest.erase("children");
+        if (only_ours && !has_content_of_others(rest, is_cage(places[k])))
+          result_.base.shells.emplace(places[k], tree_.parent(places[k]));
+      }
+    };
+    look(result_.content.slides, nodes_.slides);
+    look(result_.content.cages, nodes_.cages);
+    look(result_.content.strays, nodes_.strays);
+  }
   std::string place_of(int node) const {
-    return (is_cage(node) ? "cage " : "slide ") + in_quotes(typed(node).name) + " (node " + std::to_string(node) + ")";
+    return (is_cage(node) || is_empty_cage_node(typed(node)) ? "cage " : "slide ") + in_quotes(typed(node).name) +
+           " (node " + std::to_string(node) + ")";
   }
   const GltfJson& node_json(int node) const {
     return (*find_key(result_.base.json, "nodes"))[static_cast<std::size_t>(node)];
@@ -105,7 +151,7 @@ class TakingApart {
     slide.name = typed(node).name;
     auto as_read = std::make_shared<SlideAsRead>();
     describe(node, *as_read);
-    const Eigen::Affine3d to_mesh = place_slide(node, own.source, slide, *as_read);
+    const Eigen::Affine3d to_mesh = place_slide(node, own, slide, *as_read);
     const Eigen::Vector3d cross = to_mesh.linear().col(0).cross(to_mesh.linear().col(1));
     if (!to_mesh.matrix().allFinite() || !cross.allFinite() || !(cross.stableNorm() > 0)) {
       fail(place_of(node) +
@@ -124,12 +170,12 @@ class TakingApart {
   }
 
   // Returns its transform relative to the mesh node.
-  Eigen::Affine3d place_slide(int node, const SourceNames& source, SceneSlide& slide, SlideAsRead& as_read) const {
+  Eigen::Affine3d place_slide(int node, const OwnSlideExtension& own, SceneSlide& slide, SlideAsRead& as_read) const {
     slide.mesh_node = tree_.mesh_node(node);
     if (as_read.parent >= 0 && as_read.parent != slide.mesh_node)
       as_read.parent_to_mesh = tree_.to_mesh(as_read.parent);
     if (slide.mesh_node >= 0) return tree_.to_mesh(node);
-    const auto found = tree_.mesh_node_for(source.node, source.mesh);
+    const auto found = tree_.mesh_node_for(own.source.node, own.source.mesh);
     if (!found) fail(place_of(node) + " is under no node with a mesh: move it under the node whose mesh it cuts");
     slide.mesh_node = *found;
     const auto from_scene = tree_.from_scene(*found);
@@ -137,8 +183,8 @@ class TakingApart {
       fail(place_of(node) + " is under no node with a mesh, and node " + std::to_string(*found) +
            " has a transform without an inverse: move the slide under that node");
     }
-    as_read.parent_to_mesh = *from_scene * as_read.parent_to_mesh;
-    return *from_scene * tree_.to_mesh(node);
+    as_read.parent_to_mesh = *from_scene * tree_.to_scene_below(as_read.parent, own.source.node, own.pose);
+    return as_read.parent_to_mesh * tree_.local(node);
   }
 
   void read_cage(int node) {
@@ -157,7 +203,7 @@ class TakingApart {
         return add_stray(node);
       }
       cage.mesh_node = *found;
-      to_mesh = *from_scene * to_mesh;
+      to_mesh = *from_scene * tree_.to_scene_below(tree_.parent(node), own.source.node, own.pose) * tree_.local(node);
     }
     if (!meshes_with_cage_.insert(cage.mesh_node).second) {
       note("node " + std::to_string(cage.mesh_node) + " has two cages; " + place_of(node) +

@@ -188,6 +188,23 @@ TEST(CagesAfterOtherTools, UnderASlideDoNotMoveWithIt) {
   EXPECT_NEAR(again.slides()[0].ellipse.center[1], ellipse.center[1], 1e-12);
 }
 
+TEST(StrayCages, AreThoseThatWereMovedAndNodesThatLostTheirMesh) {
+  SceneDocument scene = edited("slides_cage.gltf", [](GltfJson& json) {
+    json["nodes"][0]["children"] = {1, 2, 3, 4};
+    json["nodes"].push_back(json["nodes"][2]);
+    json["nodes"][2]["translation"] = {1, 0, 0};
+    json["nodes"].push_back(json["nodes"][3]);
+    json["nodes"][4].erase("mesh");
+  });
+  ASSERT_EQ(scene.cages().size(), 1u);
+  EXPECT_TRUE(has_note(scene, "(node 4) has no mesh"));
+  EXPECT_TRUE(has_note(scene, "(node 2) stays as it is"));
+  ASSERT_EQ(scene.strays().size(), 2u);
+  CommandStack stack(scene);
+  while (!scene.strays().empty()) stack.run(std::make_unique<RemoveStray>(0));
+  EXPECT_EQ(gltf_json_text(without_ours(scene)).find("CAGEWRIGHT"), std::string::npos);
+}
+
 TEST(CagesThatAreReplaced, KeepMaterialNameAndWhatOthersGaveThem) {
   SceneDocument scene = edited("slides_cage.gltf", [](GltfJson& json) {
     json["materials"] = {{{"name", "glass"}}};

@@ -358,6 +358,44 @@ TEST(SlidesWhoseParentIsGone, AreWhereTheBindPoseOfASkinnedMeshHasThem) {
   expect_ellipse(some_ellipse(1), slide_called(scene_of(json), "new").ellipse, 1e-6);
 }
 
+// As Blender does: it leaves an empty where the node of a skinned mesh was, and writes the mesh as the scene showed it.
+TEST(SlidesWhoseParentIsGone, KeepTheirPlaceOnSkinnedMeshesThatTheirNodeDoesNotShow) {
+  const std::filesystem::path path = std::filesystem::path(CAGEWRIGHT_OWN_SCENES) / "geometry_skin.glb";
+  GltfJson json = json_of(SceneDocument(path).copy_as(false));
+  json["nodes"][0]["translation"] = {0.5, 2, 0};  // where its node is, and the mesh is not
+  SceneDocument saved = scene_of(json);
+  CommandStack(saved).run(std::make_unique<AddSlide>(0, "new", some_ellipse(1)));
+  json = json_of(saved);
+  GltfJson mesh_node = json["nodes"][0];
+  mesh_node.erase("children");
+  mesh_node.erase("translation");
+  mesh_node["name"] = "mesh of its own";
+  for (const char* key : {"mesh", "skin"}) json["nodes"][0].erase(key);
+  json["nodes"].push_back(mesh_node);
+  json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
+  expect_ellipse(some_ellipse(1), slide_called(scene_of(json), "new").ellipse, 1e-6);
+}
+
+TEST(NestedSlides, LeaveNothingWhenAllAreRemoved) {
+  const GltfJson plain = without_ours(*std::make_unique<SceneDocument>(as_it_is("slides_plain.gltf")));
+  GltfJson json = json_of(as_it_is("slides_plain.gltf"));
+  ASSERT_EQ(json["nodes"][0]["children"].size(), json["nodes"].size() - 1);
+  json["nodes"][0]["children"] = {1};
+  for (std::size_t i = 1; i + 1 < json["nodes"].size(); ++i) json["nodes"][i]["children"] = {i + 1};
+  SceneDocument scene = scene_of(json);
+  CommandStack stack(scene);
+  for (const bool from_the_front : {true, false}) {
+    while (!scene.slides().empty()) {
+      const auto& slides = scene.slides();
+      stack.run(std::make_unique<RemoveSlide>(from_the_front ? slides.front().id : slides.back().id));
+    }
+    EXPECT_EQ(json_of(scene)["nodes"], plain["nodes"]);
+    while (stack.undo()) {
+    }
+    EXPECT_EQ(json_of(scene), json);
+  }
+}
+
 // Seconds where every slide looks at all others.
 TEST(ManySlides, CostInProportion) {
   constexpr std::size_t count = 20000;
