@@ -75,8 +75,8 @@ class CageRun {
     for (const CageTarget& target : input_.targets)
       solved_.push_back(solve_cage(command_, plugin_, target, listener()));
     write(read_ms);
-    const auto is_closed = [](const SolvedCage& solved) { return solved.is_closed; };
-    return std::all_of(solved_.begin(), solved_.end(), is_closed) ? exit_done : exit_not_certified;
+    const auto is_good = [](const SolvedCage& solved) { return solved.is_good; };
+    return std::all_of(solved_.begin(), solved_.end(), is_good) ? exit_done : exit_not_certified;
   }
 
  private:
@@ -157,11 +157,10 @@ class CageRun {
               << counted(*report.cage.triangles, "triangle");
     if (report.cage.genus) std::cout << ", genus " << *report.cage.genus;
     std::cout << (*report.certificate.closed ? ", closed\n" : ", NOT closed\n");
-    if (report.tightness.volume_ratio) {
-      std::cout << "volume ratio: " << figure_text(*report.tightness.volume_ratio) << "\n";
-    }
+    std::cout << tightness_text(report.tightness);
     std::cout << "refinement: " << (*report.refinement.converged ? "converged" : "not converged") << " after "
-              << counted(*report.refinement.iterations, "iteration") << "\n";
+              << counted(*report.refinement.iterations, "iteration") << "\n"
+              << certificate_summary(report.certificate);
   }
 
   const CageCommand& command_;

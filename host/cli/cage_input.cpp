@@ -8,6 +8,7 @@
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
 #include "host/file/mesh_reader.h"
+#include "host/scene/external_files.h"
 
 namespace cagewright::host {
 namespace {
@@ -66,7 +67,10 @@ class InputReader {
     const std::vector<SceneMeshNode> chosen = choose(scene);
     if (chosen.empty()) return false;
     note_all(scene.notes());
-    if (command_.out && is_scene_name(*command_.out)) note_all(scene.lost_as(is_binary_scene_name(*command_.out)));
+    if (command_.out && is_scene_name(*command_.out)) {
+      note_all(scene.lost_as(is_binary_scene_name(*command_.out)));
+      note_all(missed_files(scene, *command_.out));
+    }
     for (const SceneMeshNode& node : chosen) {
       MeshFile file = scene.mesh(node.node);
       note_all(file.notes);

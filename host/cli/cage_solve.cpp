@@ -34,9 +34,10 @@ class Solving {
       rethrow(error);
     }
     solved.cage = solved.session->cage();
-    const cgw_mesh_report cage_report = plugin->inspect(solved.cage);
-    solved.is_closed = is_closed_manifold(cage_report);
-    solved.report = describe_run(command_, *plugin, *solved.session, solved.cage, cage_report);
+    solved.report = describe_run(command_, *plugin, *solved.session, solved.cage, plugin->inspect(solved.cage));
+    const Report::Certificate& certificate = solved.report.certificate;
+    const bool was_asked_for = solved.session->summary().last_stage >= CGW_STAGE_ENCLOSE;
+    solved.is_good = was_asked_for ? *certificate.encloses && *certificate.keeps_distance : *certificate.closed;
     solved.report.node = target_.name;
     solved.report.timings_ms.prepare = prepare_ms;
     return solved;

@@ -15,8 +15,8 @@ namespace cagewright::host {
 struct SolvedCage {
   std::unique_ptr<Session> session;
   TriangleMesh cage;
-  bool is_closed = false;  // a closed, consistently oriented 2-manifold
-  Report report;           // without read, write and total times and memory
+  bool is_good = false;  // certified, where that was asked for; else closed
+  Report report;         // without read, write and total times and memory
 };
 
 // Throws InputError where the plug-in refuses model, slides or parameters, with the file or option before its sentence;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/cli/check_command.h"
 
-#include <cmath>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,15 +21,31 @@
 namespace cagewright::host {
 namespace {
 
-cgw_mesh_report inspect_file(const Plugin& plugin, const std::filesystem::path& path, MeshRole role,
-                             Progress& progress) {
-  const MeshFile file = read_mesh(path, role);
+// A mesh of a file, and what it is.
+struct CheckedMesh {
+  TriangleMesh mesh;
+  cgw_mesh_report report;
+};
+
+CheckedMesh inspect_file(const Plugin& plugin, const std::filesystem::path& path, MeshRole role, Progress& progress) {
+  MeshFile file = read_mesh(path, role);
   for (const std::string& note : file.notes) progress.note(note);
   try {
-    return plugin.inspect(file.mesh);
+    const cgw_mesh_report report = plugin.inspect(file.mesh);
+    return {std::move(file.mesh), report};
   } catch (const PluginError& error) {
     if (blame(error.status()) != Blame::model) throw;
     throw InputError(path.string() + ": " + error.what());
+  }
+}
+
+Plugin::Evaluation evaluate(const CheckCommand& command, const Plugin& plugin, const CheckedMesh& model,
+                            const CheckedMesh& cage) {
+  try {
+    return plugin.evaluate(model.mesh, cage.mesh, 0);
+  } catch (const PluginError& error) {
+    if (blame(error.status()) != Blame::model) throw;
+    throw InputError(command.model.string() + ", " + command.cage.string() + ": " + error.what());
   }
 }
 
@@ -64,15 +78,6 @@ void print_mesh(const char* name, const std::filesystem::path& path, const cgw_m
   }
 }
 
-// Only closed meshes that know their inside have a volume.
-std::optional<double> volume_ratio(const cgw_mesh_report& model, const cgw_mesh_report& cage) {
-  for (const cgw_mesh_report* mesh : {&model, &cage}) {
-    if (mesh->closed != 1 || mesh->consistently_oriented != 1) return std::nullopt;
-  }
-  const double ratio = std::abs(cage.signed_volume) / std::abs(model.signed_volume);
-  return std::isfinite(ratio) ? std::optional<double>(ratio) : std::nullopt;
-}
-
 Report::Option path_option(const std::filesystem::path& path) { return path.string(); }
 
 }  // namespace
@@ -84,29 +89,30 @@ int run_check(const CheckCommand& command) {
   }
   const std::shared_ptr<const Plugin> plugin = Plugin::load(find_plugin(command.plugin));
   Progress progress(command.quiet);
-  const cgw_mesh_report model = inspect_file(*plugin, command.model, MeshRole::model, progress);
-  const cgw_mesh_report cage = inspect_file(*plugin, command.cage, MeshRole::cage, progress);
-  const bool is_good = is_closed_manifold(cage);
+  const CheckedMesh model = inspect_file(*plugin, command.model, MeshRole::model, progress);
+  const CheckedMesh cage = inspect_file(*plugin, command.cage, MeshRole::cage, progress);
+  const Plugin::Evaluation evaluation = evaluate(command, *plugin, model, cage);
 
   Report report;
-  report.model = describe_mesh(model);
-  const Report::Mesh cage_mesh = describe_mesh(cage);
+  report.model = describe_mesh(model.report);
+  const Report::Mesh cage_mesh = describe_mesh(cage.report);
   report.cage = {cage_mesh.vertices, cage_mesh.triangles, cage_mesh.genus};
-  report.certificate.closed = is_good;
-  report.tightness.volume_ratio = volume_ratio(model, cage);
+  report.certificate = describe_certificate(evaluation.certificate);
+  report.certificate.keeps_distance = {};  // nobody has asked for one
+  report.tightness = describe_tightness(evaluation.measures);
+  if (model.report.closed != 1 || model.report.consistently_oriented != 1) report.tightness.volume_ratio = {};
+  report.quality = describe_quality(evaluation.measures);
   report.peak_memory_mb = peak_memory_mb();
   report.version = CAGEWRIGHT_VERSION;
   report.options = {{"model", path_option(command.model)}, {"cage", path_option(command.cage)}};
   std::vector<std::pair<std::filesystem::path, std::string>> files;
   if (command.report) files.emplace_back(*command.report, report_text(report));
   write_files(files, [&] {
-    print_mesh("model", command.model, model);
-    print_mesh("cage", command.cage, cage);
-    const std::optional<double> ratio = report.tightness.volume_ratio;
-    std::cout << "volume ratio " << (ratio ? figure_text(*ratio) : "unknown") << "\n"
-              << "the cage is " << (is_good ? "" : "NOT ") << "a closed, consistently oriented 2-manifold\n";
+    print_mesh("model", command.model, model.report);
+    print_mesh("cage", command.cage, cage.report);
+    std::cout << tightness_text(report.tightness) << certificate_summary(report.certificate);
   });
-  return is_good ? exit_done : exit_not_certified;
+  return evaluation.certificate.encloses ? exit_done : exit_not_certified;
 }
 
 }  // namespace cagewright::host

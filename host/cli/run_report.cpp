@@ -3,7 +3,11 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "host/cli/text.h"
+#include "host/file/file_error.h"
 
 namespace cagewright::host {
 namespace {
@@ -60,6 +64,38 @@ Report::Refinement describe_refinement(const Session& session, const cgw_summary
 
 }  // namespace
 
+Report::Certificate describe_certificate(const Certificate& certificate) {
+  static constexpr std::size_t most_listed = 100;
+  const auto first = [](const auto& list) {
+    return std::vector(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(std::min(list.size(), most_listed)));
+  };
+  Report::Certificate report;
+  report.closed = certificate.closed;
+  report.self_intersections = certificate.self_intersections.size();
+  report.model_cage_intersections = certificate.model_cage_intersections.size();
+  report.vertices_outside = certificate.vertices_outside.size();
+  report.encloses = certificate.encloses;
+  report.degenerate_triangles = certificate.degenerate_triangles.size();
+  report.keeps_distance = certificate.keeps_distance;
+  report.message = certificate.message;
+  report.first_degenerate_triangles = first(certificate.degenerate_triangles);
+  report.first_vertices_outside = first(certificate.vertices_outside);
+  report.first_self_intersections = first(certificate.self_intersections);
+  report.first_model_cage_intersections = first(certificate.model_cage_intersections);
+  return report;
+}
+
+Report::Tightness describe_tightness(const Measures& measures) {
+  return {known(measures.volume_ratio), known(measures.mean_gap), known(measures.max_gap), known(measures.clearance),
+          known(measures.coverage)};
+}
+
+Report::Quality describe_quality(const Measures& measures) {
+  return {known(measures.least_dihedral),  known(measures.greatest_dihedral), known(measures.greatest_aspect),
+          known(measures.mean_asymmetry),  known(measures.max_asymmetry),     known(measures.worst_squareness),
+          known(measures.worst_planarity), known(measures.worst_twist)};
+}
+
 Report::Mesh describe_mesh(const cgw_mesh_report& report) {
   return {report.vertices, report.triangles, report.components, known_genus(report.genus), report.closed == 1};
 }
@@ -74,15 +110,57 @@ Report describe_run(const CageCommand& command, const Plugin& plugin, const Sess
   report.parts = session.part_count();
   report.cage = {cage.vertex_count(), cage.triangle_count(), known_genus(cage_report.genus)};
   report.refinement = describe_refinement(session, summary, model.diagonal);
-  report.certificate.closed = is_closed_manifold(cage_report);
-  report.tightness.volume_ratio = known(summary.volume_ratio);
+  report.certificate = describe_certificate(session.certificate());
+  const Measures measures = session.measures();
+  report.tightness = describe_tightness(measures);
+  report.quality = describe_quality(measures);
   report.timings_ms.segment = known(summary.segment_ms);
   report.timings_ms.orient = known(summary.orient_ms);
   report.timings_ms.meshing = known(summary.meshing_ms);
   report.timings_ms.refine = known(summary.refine_ms);
+  report.timings_ms.enclose = known(summary.enclose_ms);
   report.version = CAGEWRIGHT_VERSION;
   report.options = describe_options(command, plugin, session);
   return report;
+}
+
+namespace {
+
+std::string pair_text(const std::vector<std::array<std::uint32_t, 2>>& pairs, const char* first, const char* second) {
+  if (pairs.empty()) return "";
+  return std::string(", the first: ") + first + " " + std::to_string(pairs[0][0]) + " and " + second + " " +
+         std::to_string(pairs[0][1]);
+}
+
+std::string place_text(const std::vector<std::uint32_t>& rows) {
+  return rows.empty() ? "" : ", the first: " + std::to_string(rows[0]);
+}
+
+}  // namespace
+
+std::string certificate_summary(const Report::Certificate& c) {
+  std::string text =
+      std::string("certificate: ") + (c.encloses.value_or(false) ? "the cage encloses the model" : "NONE") + "\n";
+  const auto add = [&](const std::optional<std::uint64_t>& count, const char* noun, const std::string& what) {
+    if (count.value_or(0) > 0) text += "  " + counted(*count, noun) + what + "\n";
+  };
+  if (!c.closed.value_or(true))
+    text += "  the cage is no closed, consistently oriented 2-manifold that faces outward\n";
+  add(c.degenerate_triangles, "cage triangle", " without area" + place_text(c.first_degenerate_triangles));
+  add(c.self_intersections, "pair",
+      " of cage triangles that meet" + pair_text(c.first_self_intersections, "triangle", "triangle"));
+  add(c.model_cage_intersections, "model triangle",
+      " that meet the cage" + pair_text(c.first_model_cage_intersections, "model triangle", "cage triangle"));
+  add(c.vertices_outside, "model vertex", " not inside" + place_text(c.first_vertices_outside));
+  if (!c.message.empty()) text += "  " + one_line(c.message) + "\n";
+  return text;
+}
+
+std::string tightness_text(const Report::Tightness& t) {
+  const auto figure = [](const std::optional<double>& value) { return value ? figure_text(*value) : "unknown"; };
+  return "volume ratio: " + figure(t.volume_ratio) + "\n" + "gap over the diagonal: mean " +
+         figure(t.mean_gap_over_diagonal) + ", largest " + figure(t.max_gap_over_diagonal) + ", least " +
+         figure(t.clearance_over_diagonal) + "\n";
 }
 
 double peak_memory_mb() {

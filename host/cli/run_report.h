@@ -15,6 +15,13 @@ Report describe_run(const CageCommand& command, const Plugin& plugin, const Sess
                     const cgw_mesh_report& cage_report);
 
 Report::Mesh describe_mesh(const cgw_mesh_report& report);
+Report::Certificate describe_certificate(const Certificate& certificate);
+Report::Tightness describe_tightness(const Measures& measures);
+Report::Quality describe_quality(const Measures& measures);
+
+// What the certificate and the tightness come to, a line or more each, for stdout.
+std::string certificate_summary(const Report::Certificate& certificate);
+std::string tightness_text(const Report::Tightness& tightness);
 
 // The largest memory that this process has held so far, in MiB.
 double peak_memory_mb();

@@ -14,6 +14,7 @@
 #include "host/command/slide_commands.h"
 #include "host/file/atomic_file.h"
 #include "host/file/file_error.h"
+#include "host/scene/external_files.h"
 
 namespace cagewright::host {
 
@@ -26,6 +27,7 @@ int run_strip(const StripCommand& command) {
   SceneDocument scene(command.scene, SceneDocument::Unreadable::stray);
   Progress progress(command.quiet);
   for (const std::string& note : scene.lost_as(is_binary)) progress.note(note);
+  for (const std::string& note : missed_files(scene, command.out)) progress.note(note);
   std::size_t slides = scene.slides().size(), cages = scene.cages().size();
   for (const SceneStray& stray : scene.strays()) ++(stray.is_cage ? cages : slides);
   CommandStack stack(scene);

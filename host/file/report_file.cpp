@@ -42,7 +42,34 @@ Json to_json(const Report::Certificate& certificate) {
           {"self_intersections", or_null(certificate.self_intersections)},
           {"model_cage_intersections", or_null(certificate.model_cage_intersections)},
           {"vertices_outside", or_null(certificate.vertices_outside)},
-          {"encloses", or_null(certificate.encloses)}};
+          {"encloses", or_null(certificate.encloses)},
+          {"degenerate_triangles", or_null(certificate.degenerate_triangles)},
+          {"keeps_distance", or_null(certificate.keeps_distance)},
+          {"message", certificate.message},
+          {"first",
+           {{"self_intersections", certificate.first_self_intersections},
+            {"model_cage_intersections", certificate.first_model_cage_intersections},
+            {"vertices_outside", certificate.first_vertices_outside},
+            {"degenerate_triangles", certificate.first_degenerate_triangles}}}};
+}
+
+Json to_json(const Report::Tightness& tightness) {
+  return {{"volume_ratio", or_null(tightness.volume_ratio)},
+          {"mean_gap_over_diagonal", or_null(tightness.mean_gap_over_diagonal)},
+          {"max_gap_over_diagonal", or_null(tightness.max_gap_over_diagonal)},
+          {"clearance_over_diagonal", or_null(tightness.clearance_over_diagonal)},
+          {"coverage", or_null(tightness.coverage)}};
+}
+
+Json to_json(const Report::Quality& quality) {
+  return {{"least_dihedral", or_null(quality.least_dihedral)},
+          {"greatest_dihedral", or_null(quality.greatest_dihedral)},
+          {"greatest_aspect", or_null(quality.greatest_aspect)},
+          {"mean_asymmetry_over_diagonal", or_null(quality.mean_asymmetry_over_diagonal)},
+          {"max_asymmetry_over_diagonal", or_null(quality.max_asymmetry_over_diagonal)},
+          {"worst_squareness", or_null(quality.worst_squareness)},
+          {"worst_planarity_over_diagonal", or_null(quality.worst_planarity_over_diagonal)},
+          {"worst_twist", or_null(quality.worst_twist)}};
 }
 
 Json to_json(const Report::Timings& timings) {
@@ -69,9 +96,8 @@ void add_findings(const Report& report, Json& json) {
                   {"genus", or_null(report.cage.genus)}};
   json["refinement"] = to_json(report.refinement);
   json["certificate"] = to_json(report.certificate);
-  json["tightness"] = {{"volume_ratio", or_null(report.tightness.volume_ratio)},
-                       {"mean_gap_over_diagonal", or_null(report.tightness.mean_gap_over_diagonal)},
-                       {"max_gap_over_diagonal", or_null(report.tightness.max_gap_over_diagonal)}};
+  json["tightness"] = to_json(report.tightness);
+  json["quality"] = to_json(report.quality);
 }
 
 }  // namespace

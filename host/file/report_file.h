@@ -2,6 +2,7 @@
 #ifndef CAGEWRIGHT_HOST_FILE_REPORT_FILE_H
 #define CAGEWRIGHT_HOST_FILE_REPORT_FILE_H
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,9 +38,21 @@ struct Report {
     std::optional<bool> closed;
     std::optional<std::uint64_t> self_intersections, model_cage_intersections, vertices_outside;
     std::optional<bool> encloses;
+    std::optional<std::uint64_t> degenerate_triangles;
+    std::optional<bool> keeps_distance;
+    std::string message;  // "" or which slides are at fault, and what to do
+    // The first of what fails, by rows of the files' meshes, counted from 0.
+    std::vector<std::uint32_t> first_degenerate_triangles, first_vertices_outside;
+    std::vector<std::array<std::uint32_t, 2>> first_self_intersections, first_model_cage_intersections;
   };
   struct Tightness {
     std::optional<double> volume_ratio, mean_gap_over_diagonal, max_gap_over_diagonal;
+    std::optional<double> clearance_over_diagonal, coverage;
+  };
+  struct Quality {  // angles in radians
+    std::optional<double> least_dihedral, greatest_dihedral, greatest_aspect;
+    std::optional<double> mean_asymmetry_over_diagonal, max_asymmetry_over_diagonal;
+    std::optional<double> worst_squareness, worst_planarity_over_diagonal, worst_twist;
   };
   struct Timings {  // milliseconds
     std::optional<double> read, prepare, segment, orient, meshing, refine, enclose, write, total;
@@ -54,6 +67,7 @@ struct Report {
   Refinement refinement;
   Certificate certificate;
   Tightness tightness;
+  Quality quality;
   Timings timings_ms;
   std::optional<double> peak_memory_mb;
   std::string version;

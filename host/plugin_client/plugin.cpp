@@ -99,6 +99,18 @@ cgw_mesh_report Plugin::inspect(const TriangleMesh& mesh) const {
   return report;
 }
 
+Plugin::Evaluation Plugin::evaluate(const TriangleMesh& model, const TriangleMesh& cage, std::uint32_t threads) const {
+  const cgw_mesh borrowed_model = borrow(model), borrowed_cage = borrow(cage);
+  cgw_evaluation* made = nullptr;
+  check(api_->evaluation_create(&borrowed_model, &borrowed_cage, threads, &made), nullptr, "evaluation_create");
+  const std::unique_ptr<cgw_evaluation, void (*)(cgw_evaluation*)> evaluation(made, api_->evaluation_destroy);
+  return {read_certificate([&](cgw_certificate* out) {
+            check(api_->evaluation_certificate(made, out), nullptr, "evaluation_certificate");
+          }),
+          read_measures(
+              [&](cgw_measures* out) { check(api_->evaluation_measures(made, out), nullptr, "evaluation_measures"); })};
+}
+
 void Plugin::check(cgw_status status, const cgw_session* session, const char* call) const {
   if (status == CGW_OK) return;
   if (status == CGW_CANCELLED) throw Cancelled();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/file/triangle_mesh.h"
+#include "host/plugin_client/certificate.h"
 
 namespace cagewright::host {
 
@@ -37,6 +38,12 @@ class Plugin {
   std::vector<Parameter> parameters() const;
   // Counts what a mesh is, open or not. Throws PluginError.
   cgw_mesh_report inspect(const TriangleMesh& mesh) const;
+  // What any cage is to any model. threads: 0 for as many as the machine has. Throws PluginError.
+  struct Evaluation {
+    Certificate certificate;
+    Measures measures;
+  };
+  Evaluation evaluate(const TriangleMesh& model, const TriangleMesh& cage, std::uint32_t threads) const;
 
   // For session and what follows: throws PluginError or Cancelled unless `status` is CGW_OK. session may be NULL.
   void check(cgw_status status, const cgw_session* session, const char* call) const;

@@ -140,12 +140,22 @@ std::uint64_t Session::part_count() const {
 
 cgw_summary Session::summary() const {
   cgw_summary summary = CGW_SUMMARY_INIT;
-  for (double* figure : {&summary.max_signed_distance_over_diagonal, &summary.volume_ratio, &summary.segment_ms,
-                         &summary.orient_ms, &summary.meshing_ms, &summary.refine_ms, &summary.extent}) {
+  for (double* figure :
+       {&summary.max_signed_distance_over_diagonal, &summary.volume_ratio, &summary.segment_ms, &summary.orient_ms,
+        &summary.meshing_ms, &summary.refine_ms, &summary.extent, &summary.enclose_ms}) {
     *figure = not_computed;
   }
   check(api().get_summary(session_, &summary), "get_summary");
   return summary;
+}
+
+Certificate Session::certificate() const {
+  return read_certificate(
+      [this](cgw_certificate* out) { check(api().get_certificate(session_, out), "get_certificate"); });
+}
+
+Measures Session::measures() const {
+  return read_measures([this](cgw_measures* out) { check(api().get_measures(session_, out), "get_measures"); });
 }
 
 std::vector<double> Session::max_signed_distances() const {

@@ -52,6 +52,8 @@ class Session {
   std::vector<cgw_section> sections() const;
   std::uint64_t part_count() const;
   cgw_summary summary() const;
+  Certificate certificate() const;
+  Measures measures() const;
   // Of each iteration, before its step, in model units.
   std::vector<double> max_signed_distances() const;
 

@@ -39,6 +39,8 @@ struct cgw_session {
   bool is_solved = false;
 };
 
+struct cgw_evaluation {};
+
 namespace {
 
 thread_local std::string free_sentence;
@@ -286,7 +288,7 @@ cgw_status get_iteration(const cgw_session*, uint64_t index, cgw_iteration* out)
 
 cgw_status get_summary(const cgw_session*, cgw_summary* out) {
   cgw_summary summary = CGW_SUMMARY_INIT;
-  summary.last_stage = CGW_STAGE_REFINE;
+  summary.last_stage = asked("no_enclose") ? CGW_STAGE_REFINE : CGW_STAGE_ENCLOSE;
   summary.iterations = 2;
   summary.converged = 1;
   summary.max_signed_distance_over_diagonal = 0.0005;
@@ -296,6 +298,7 @@ cgw_status get_summary(const cgw_session*, cgw_summary* out) {
   summary.meshing_ms = std::numeric_limits<double>::quiet_NaN();
   summary.refine_ms = 4;
   summary.extent = 1.75;
+  summary.enclose_ms = 5;
   const std::size_t known = asked("short_summary") ? offsetof(cgw_summary, volume_ratio) : sizeof(cgw_summary);
   std::memcpy(out, &summary, std::min<std::size_t>(out->struct_size, known));
   return CGW_OK;
@@ -303,6 +306,42 @@ cgw_status get_summary(const cgw_session*, cgw_summary* out) {
 
 cgw_status save_state(const cgw_session*, const cgw_stream*) { return CGW_OK; }
 cgw_status load_state(cgw_session*, const cgw_stream*) { return CGW_OK; }
+
+// One pair of cage triangles and one vertex fail where "crossing" is asked for.
+cgw_status fill_certificate(cgw_certificate* out) {
+  const bool crosses = asked("crossing");
+  out->closed = !asked("open_cage");
+  out->encloses = out->closed == 1 && !crosses;
+  out->keeps_distance = !asked("too_near");
+  out->self_intersection_count = out->outside_count = crosses;
+  if (crosses && out->self_intersections != nullptr) {
+    out->self_intersections[0] = 3;
+    out->self_intersections[1] = 7;
+  }
+  if (crosses && out->outside_vertices != nullptr) out->outside_vertices[0] = 5;
+  out->message = crosses ? "move slide 'a'" : "";
+  return CGW_OK;
+}
+cgw_status get_certificate(const cgw_session*, cgw_certificate* out) { return fill_certificate(out); }
+
+cgw_status fill_measures(cgw_measures* out) {
+  out->volume_ratio = 1.5;
+  out->mean_gap = 0.25;
+  out->max_gap = 0.5;
+  out->clearance = 0.125;
+  out->coverage = std::numeric_limits<double>::quiet_NaN();
+  out->worst_squareness = 0.0625;
+  return CGW_OK;
+}
+cgw_status get_measures(const cgw_session*, cgw_measures* out) { return fill_measures(out); }
+
+cgw_status evaluation_create(const cgw_mesh*, const cgw_mesh*, uint32_t, cgw_evaluation** out) {
+  *out = new cgw_evaluation;
+  return CGW_OK;
+}
+void evaluation_destroy(cgw_evaluation* evaluation) { delete evaluation; }
+cgw_status evaluation_certificate(const cgw_evaluation*, cgw_certificate* out) { return fill_certificate(out); }
+cgw_status evaluation_measures(const cgw_evaluation*, cgw_measures* out) { return fill_measures(out); }
 
 }  // namespace
 
@@ -340,7 +379,13 @@ extern "C" __attribute__((visibility("default"))) const cgw_api* cgw_get_api_v1(
                         get_iteration,
                         get_summary,
                         save_state,
-                        load_state};
+                        load_state,
+                        get_certificate,
+                        get_measures,
+                        evaluation_create,
+                        evaluation_destroy,
+                        evaluation_certificate,
+                        evaluation_measures};
   if (asked("null_table")) return nullptr;
   api.struct_size = asked("small_table") ? sizeof(cgw_api) - sizeof(void*) : sizeof(cgw_api);
   api.abi_major = asked("other_major") ? 2 : CGW_ABI_MAJOR;

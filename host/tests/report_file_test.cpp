@@ -22,25 +22,35 @@ TEST(ReportFile, HasExactlyTheDocumentedKeys) {
   Report report;
   report.slides.push_back({"wrist", "ok", ""});
   const json j = json::parse(report_text(report));
-  EXPECT_EQ(keys(j), (std::set<std::string>{"model", "slides", "parts", "cage", "refinement", "certificate",
-                                            "tightness", "timings_ms", "peak_memory_mb", "version", "options"}));
+  EXPECT_EQ(keys(j),
+            (std::set<std::string>{"model", "slides", "parts", "cage", "refinement", "certificate", "tightness",
+                                   "quality", "timings_ms", "peak_memory_mb", "version", "options"}));
   EXPECT_EQ(keys(j["model"]), (std::set<std::string>{"vertices", "triangles", "components", "genus", "closed"}));
   EXPECT_EQ(keys(j["slides"][0]), (std::set<std::string>{"name", "status", "message"}));
   EXPECT_EQ(keys(j["cage"]), (std::set<std::string>{"vertices", "triangles", "genus"}));
   EXPECT_EQ(keys(j["refinement"]),
             (std::set<std::string>{"iterations", "converged", "max_signed_distance_over_diagonal"}));
-  EXPECT_EQ(keys(j["certificate"]), (std::set<std::string>{"closed", "self_intersections", "model_cage_intersections",
-                                                           "vertices_outside", "encloses"}));
+  EXPECT_EQ(keys(j["certificate"]),
+            (std::set<std::string>{"closed", "self_intersections", "model_cage_intersections", "vertices_outside",
+                                   "encloses", "degenerate_triangles", "keeps_distance", "message", "first"}));
   EXPECT_EQ(keys(j["tightness"]),
-            (std::set<std::string>{"volume_ratio", "mean_gap_over_diagonal", "max_gap_over_diagonal"}));
+            (std::set<std::string>{"volume_ratio", "mean_gap_over_diagonal", "max_gap_over_diagonal",
+                                   "clearance_over_diagonal", "coverage"}));
+  EXPECT_EQ(keys(j["quality"]),
+            (std::set<std::string>{"least_dihedral", "greatest_dihedral", "greatest_aspect",
+                                   "mean_asymmetry_over_diagonal", "max_asymmetry_over_diagonal", "worst_squareness",
+                                   "worst_planarity_over_diagonal", "worst_twist"}));
   EXPECT_EQ(keys(j["timings_ms"]), (std::set<std::string>{"read", "prepare", "segment", "orient", "meshing", "refine",
                                                           "enclose", "write", "total"}));
 }
 
 TEST(ReportFile, WritesNullForWhatNobodyComputed) {
   const json j = json::parse(report_text({}));
-  for (const char* object : {"model", "cage", "certificate", "tightness", "timings_ms"}) {
-    for (const auto& [key, value] : j[object].items()) EXPECT_TRUE(value.is_null()) << object << "." << key;
+  for (const char* object : {"model", "cage", "certificate", "tightness", "quality", "timings_ms"}) {
+    for (const auto& [key, value] : j[object].items()) {
+      if (key == "first" || key == "message") continue;
+      EXPECT_TRUE(value.is_null()) << object << "." << key;
+    }
   }
   EXPECT_TRUE(j["parts"].is_null());
   EXPECT_TRUE(j["refinement"]["converged"].is_null());

@@ -22,7 +22,10 @@ class Invariance : public testing::TestWithParam<Model> {
   void SetUp() override {
     if (const auto why = GetParam().why_missing()) GTEST_SKIP() << *why;
     model = read_off(GetParam().file());
-    first = make_cage(folder, GetParam().file(), GetParam().slides_file());
+  }
+
+  void make_first(const std::vector<std::string>& options) {
+    first = make_cage(folder, GetParam().file(), GetParam().slides_file(), options);
     ASSERT_EQ(first.run.exit_code, 0) << first.run.errors;
   }
 
@@ -36,12 +39,16 @@ class Invariance : public testing::TestWithParam<Model> {
   CageRun first;
 };
 
+// The paper's stages turn with the model. Enclosing rounds to floats, which do not, and goes by what is in the way.
+const std::vector<std::string> paper = {"--set", "enclose.mode=off"};
+
 TEST_P(Invariance, OfMotionAndScale) {
+  make_first(paper);
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Similarity motion = random_similarity(seed, diagonal(model));
     const auto file = folder.write("moved.off", off_text(moved(model, motion)));
     const auto slides_file = folder.write("moved.json", moved_slides(slides(), motion).dump());
-    const CageRun second = make_cage(folder, file, slides_file);
+    const CageRun second = make_cage(folder, file, slides_file, paper);
     ASSERT_EQ(second.run.exit_code, 0) << second.run.errors;
     EXPECT_EQ(difference(moved(first.cage, motion), second.cage, tolerance * motion.scale * diagonal(model)), "")
         << "seed " << seed << ", scale " << motion.scale;
@@ -49,6 +56,7 @@ TEST_P(Invariance, OfMotionAndScale) {
 }
 
 TEST_P(Invariance, OfTheNumberOfThreads) {
+  make_first({});
   for (const char* threads : {"1", "2", "5"}) {
     const CageRun second = make_cage(folder, GetParam().file(), GetParam().slides_file(), {"--threads", threads});
     ASSERT_EQ(second.run.exit_code, 0) << second.run.errors;
@@ -57,9 +65,10 @@ TEST_P(Invariance, OfTheNumberOfThreads) {
 }
 
 TEST_P(Invariance, OfTheOrderOfVerticesAndTriangles) {
+  make_first(paper);
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const auto file = folder.write("shuffled.off", off_text(shuffled(model, seed)));
-    const CageRun second = make_cage(folder, file, GetParam().slides_file());
+    const CageRun second = make_cage(folder, file, GetParam().slides_file(), paper);
     ASSERT_EQ(second.run.exit_code, 0) << second.run.errors;
     EXPECT_EQ(second.report()["parts"], first.report()["parts"]);
     EXPECT_EQ(difference_in_any_order(first.cage, second.cage, tolerance * diagonal(model)), "") << "seed " << seed;
