@@ -188,7 +188,7 @@ class Enclosing {
             std::to_string(certificate.vertices_outside.size()) + " model vertices are outside; ";
     if (slides.empty()) return text + "add slides";
     text += "move or turn one of the slides " + quoted(slides, names_) + ", or add one between them";
-    return text + (options_.in_plane ? ", or let sections leave their slides' planes (refine.in_plane)" : "");
+    return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
   static constexpr int most_pushes = 60, most_pushes_in_plane = 24, patience_in_plane = 8, finest = 20;

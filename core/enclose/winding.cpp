@@ -54,7 +54,7 @@ std::optional<int> Winding::of(const Vector3& point) const {
   const double way_down = down.minCoeff(&other);
   const bool is_up = way_up <= way_down;
   if (!is_up) axis = other;
-  const double length = (is_up ? way_up : way_down) + 0.01 * box_.diagonal().norm();
+  const double length = (is_up ? way_up : way_down) + 0.01 * box_.diagonal().stableNorm();
   constexpr int most_rays = 64;
   for (int ray = 0; ray < most_rays; ++ray) {
     Vector3 end = point;

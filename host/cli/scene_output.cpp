@@ -10,7 +10,9 @@
 #include "host/command/slide_commands.h"
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_json.h"
 #include "host/scene/external_files.h"
+#include "host/scene/mesh_fingerprint.h"
 
 namespace cagewright::host {
 namespace {
@@ -40,6 +42,19 @@ std::string name_for_cage(const SceneDocument& scene, int node) {
   return it == nodes.end() || it->name.empty() ? "cage" : it->name + " cage";
 }
 
+bool is_in_floats(const TriangleMesh& mesh) {
+  return std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [](double value) { return value == static_cast<double>(static_cast<float>(value)); });
+}
+
+// With what it is of, so that nobody believes it of another cage or model. Empty where the scene rounds the cage.
+std::string certificate_of(const SceneDocument& scene, int node, const SolvedCage& solved) {
+  if (!is_in_floats(solved.cage)) return "";
+  GltfJson certificate = parse_gltf_json({}, certificate_text(solved.report.certificate));
+  certificate["of"] = {{"model", mesh_fingerprint(scene.mesh(node).mesh)}, {"cage", mesh_fingerprint(solved.cage)}};
+  return gltf_json_text(certificate);
+}
+
 SceneCage scene_cage(const SceneDocument& scene, const SolvedCage& solved, const Plugin& plugin, int node) {
   SceneCage cage;
   cage.mesh_node = node;
@@ -52,7 +67,7 @@ SceneCage scene_cage(const SceneDocument& scene, const SolvedCage& solved, const
     if (slide.mesh_node == node) cage.slides.push_back(slide.id);
   }
   cage.sections = solved.session->vertex_sections();
-  cage.certificate = certificate_text(solved.report.certificate);
+  cage.certificate = certificate_of(scene, node, solved);
   return cage;
 }
 

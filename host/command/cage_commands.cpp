@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "host/command/utf8.h"
 #include "host/file/file_error.h"
+#include "host/file/gltf_json.h"
 #include "host/scene/slide_ids.h"
 
 namespace cagewright::host {
@@ -34,6 +34,18 @@ void check_geometry(const SceneCage& cage, const std::string& what) {
   }
 }
 
+// Read as a file's own JSON is, and not too deep to be part of it.
+bool is_object_for_a_file(const std::string& text) {
+  constexpr int levels_above = 16;
+  const std::string within = std::string(levels_above, '[') + text + std::string(levels_above, ']');
+  try {
+    static_cast<void>(parse_gltf_json({}, within));
+    return parse_gltf_json({}, text).is_object();
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
 // What a file holds beside the geometry.
 void check_notes(const SceneCage& cage, const std::string& what) {
   if (!is_utf8(cage.name)) throw CommandError(what + ": its name " + in_quotes(cage.name) + " is not UTF-8");
@@ -56,8 +68,8 @@ void check_notes(const SceneCage& cage, const std::string& what) {
     throw CommandError(what + ": vertex " + std::to_string(i) + " is in section " + std::to_string(cage.sections[i]) +
                        " of " + std::to_string(cage.slides.size()));
   }
-  if (!cage.certificate.empty() && !nlohmann::json::parse(cage.certificate, nullptr, false).is_object()) {
-    throw CommandError(what + ": its certificate is no JSON object");
+  if (!cage.certificate.empty() && !is_object_for_a_file(cage.certificate)) {
+    throw CommandError(what + ": its certificate is no JSON object that a file can hold");
   }
 }
 

@@ -31,14 +31,15 @@ class AccessorReader {
     throw std::runtime_error(name_ + " " + reason + "; export it again");
   }
 
-  // count x components, sparse values in place.
-  std::vector<double> read() const {
+  // count x components, sparse values in place; of those that are not sparse only the first `most` rows.
+  std::vector<double> read(std::size_t most = std::numeric_limits<std::size_t>::max()) const {
     const std::size_t width = components();
     std::vector<double> values;
     if (accessor_.bufferView >= 0) {
       const Rows rows = rows_of(accessor_.bufferView, accessor_.byteOffset, accessor_.count, width * component_size());
-      values.resize(accessor_.count * width);
-      for (std::size_t i = 0; i < accessor_.count; ++i) copy_row(rows.first + i * rows.stride, &values[i * width]);
+      const std::size_t count = accessor_.sparse.isSparse ? accessor_.count : std::min(accessor_.count, most);
+      values.resize(count * width);
+      for (std::size_t i = 0; i < count; ++i) copy_row(rows.first + i * rows.stride, &values[i * width]);
     } else {
       if (!accessor_.sparse.isSparse) fail("has no buffer view; it may need an extension that cannot be read");
       if (accessor_.count > most_zeros) fail("promises too many values");
@@ -170,13 +171,13 @@ std::vector<double> read_positions(const tinygltf::Model& model, int accessor) {
   return reader.read();
 }
 
-std::vector<double> read_matrices(const tinygltf::Model& model, int accessor) {
+std::vector<double> read_first_matrix(const tinygltf::Model& model, int accessor) {
   const AccessorReader reader(model, accessor);
   const bool is_float = reader.accessor().componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
   if (reader.accessor().type != TINYGLTF_TYPE_MAT4 || !is_float) {
     reader.fail("holds matrices, but is not a MAT4 of floats");
   }
-  return reader.read();
+  return reader.read(1);
 }
 
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor) {

@@ -17,8 +17,9 @@ namespace cagewright::host {
 
 // A VEC3 accessor, count x 3, as it is: not checked for NaN. O(count).
 std::vector<double> read_positions(const tinygltf::Model& model, int accessor);
-// A MAT4 accessor of floats, count x 16, each column by column: not checked for NaN. O(count).
-std::vector<double> read_matrices(const tinygltf::Model& model, int accessor);
+// The first of a MAT4 accessor of floats, column by column: 16 numbers, not checked for NaN, or none. O(1) where it is
+// not sparse.
+std::vector<double> read_first_matrix(const tinygltf::Model& model, int accessor);
 // A SCALAR accessor of unsigned integers. O(count).
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor);
 

@@ -20,6 +20,7 @@ struct MeshNode {
   int node = -1;  // -1: a mesh that no node shows, in a file without nodes
   int mesh = -1;
   Eigen::Affine3d to_scene = Eigen::Affine3d::Identity();
+  bool is_placed = false;  // its transform counts even where nothing else is read
 };
 
 class GltfMeshReader {
@@ -34,10 +35,10 @@ class GltfMeshReader {
       if (!mesh.triangles.empty()) shown.emplace_back(node, std::move(mesh));
     }
     if (shown.empty()) throw FileError(path_, {}, "holds no triangles; a closed surface is needed");
-    if (shown.size() == 1) {
+    if (shown.size() == 1 && !shown.front().first.is_placed) {
       result_.mesh = std::move(shown.front().second);
     } else {
-      note(std::to_string(shown.size()) + " mesh nodes were merged, in the scene's space");
+      if (shown.size() > 1) note(std::to_string(shown.size()) + " mesh nodes were merged, in the scene's space");
       for (auto& [node, mesh] : shown) append(mesh, node.to_scene);
     }
     return std::move(result_);
@@ -53,13 +54,34 @@ class GltfMeshReader {
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(placed.node)];
       if (node.mesh < 0) continue;
       // glTF 2.0, 3.7.3.3: a skin places its mesh, whatever the node's transform.
-      const Eigen::Affine3d to_scene = node.skin >= 0 ? Eigen::Affine3d::Identity() : placed.to_scene;
+      const bool is_skinned = node.skin >= 0 && !is_cage_node(node);
+      const Eigen::Affine3d to_scene = is_skinned ? Eigen::Affine3d::Identity() : placed.to_scene;
       (is_cage_node(node) ? cages : models).push_back({placed.node, node.mesh, to_scene});
     }
     if (model_.nodes.empty()) {
       for (std::size_t mesh = 0; mesh < model_.meshes.size(); ++mesh) models.push_back({-1, static_cast<int>(mesh)});
     }
-    return role_ == MeshRole::cage && !cages.empty() ? cages : models;
+    if (role_ == MeshRole::model || cages.empty()) return models;
+    // Where the model is read in its own space, so is what is round it.
+    for (MeshNode& cage : cages) {
+      if (models.size() == 1) cage.to_scene = seen_from(cage, models.front().node);
+      cage.is_placed = !models.empty() && cage.to_scene.matrix() != Eigen::Matrix4d::Identity();
+    }
+    return cages;
+  }
+
+  Eigen::Affine3d seen_from(const MeshNode& cage, int model) const {
+    const std::vector<int> parents = gltf_parents(path_, model_);
+    Eigen::Affine3d up = Eigen::Affine3d::Identity();
+    for (int node = cage.node; node >= 0; node = parents[static_cast<std::size_t>(node)]) {
+      if (node == model) return up;
+      up = gltf_local_transform(path_, model_, node) * up;
+    }
+    Eigen::Affine3d model_to_scene = Eigen::Affine3d::Identity();
+    for (int node = model; node >= 0; node = parents[static_cast<std::size_t>(node)]) {
+      model_to_scene = gltf_local_transform(path_, model_, node) * model_to_scene;
+    }
+    return model_to_scene.inverse() * up;
   }
 
   TriangleMesh read_mesh_of(const MeshNode& node) {

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -208,17 +205,24 @@ std::vector<GltfJson> least_geometry() {
   return make_geometry({}, point, "");
 }
 
-// A cage's new geometry, which looks like the one that it had.
+// A cage's new geometry, with what else the old one's mesh and its first primitive have: material, extras, extensions.
 std::vector<GltfJson> new_geometry(const std::filesystem::path& path, const SceneCage& cage, const SceneBase& base) {
   std::vector<GltfJson> geometry = make_geometry(path, cage.mesh, cage.name);
   const CageAsRead* read = cage.as_read.get();
   if (read == nullptr) return geometry;
   const GltfJson* before = read->mesh >= 0 ? item(base.json, "meshes", read->mesh) : read->geometry.data();
-  const GltfJson* primitives = before ? find_key(*before, "primitives") : nullptr;
+  if (before == nullptr) return geometry;
+  const auto keep = [](const GltfJson& from, const std::set<std::string>& but, GltfJson& to) {
+    for (const auto& [key, value] : from.items()) {
+      if (but.count(key) == 0) to[key] = value;
+    }
+  };
+  keep(*before, {"primitives", "weights"}, geometry[0]);
+  const GltfJson* primitives = find_key(*before, "primitives");
   if (primitives == nullptr || !primitives->is_array() || primitives->empty()) return geometry;
-  if (const GltfJson* material = find_key((*primitives)[0], "material")) {
-    geometry[0]["primitives"][0]["material"] = *material;
-  }
+  GltfJson& primitive = geometry[0]["primitives"][0];
+  keep((*primitives)[0], {"attributes", "indices", "mode", "targets"}, primitive);
+  if (GltfJson* extensions = find_key(primitive, "extensions")) extensions->erase("KHR_draco_mesh_compression");
   return geometry;
 }
 

@@ -118,7 +118,7 @@ std::optional<int> NodeTree::mesh_node_for(const std::string& name, const std::s
 
 Eigen::Affine3d NodeTree::first_matrix(int accessor) const {
   try {
-    const std::vector<double> matrices = read_matrices(model_, accessor);
+    const std::vector<double> matrices = read_first_matrix(model_, accessor);
     if (matrices.size() < 16) return Eigen::Affine3d::Identity();
     return Eigen::Affine3d(Eigen::Map<const Eigen::Matrix4d>(matrices.data()));
   } catch (const std::runtime_error& error) {

@@ -294,7 +294,7 @@ class PuttingTogether {
   GltfJson json_;
   std::set<int> holes_;
   std::set<int> moved_;                           // places of slides that have another transform by now
-  std::set<int> owned_, dropped_;                 // places of ours; of shells that went
+  std::set<int> owned_;                           // places of ours
   std::map<int, bool> carries_;                   // of places of slides: whether they or one above have moved
   std::set<std::string> filled_;                  // arrays that were there and empty
   std::map<int, int> parents_;                    // of our nodes, but for those that have stayed where they were

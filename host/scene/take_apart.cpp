@@ -9,6 +9,7 @@
 #include "host/file/gltf_own_nodes.h"
 #include "host/scene/cage_geometry.h"
 #include "host/scene/detach_nodes.h"
+#include "host/scene/mesh_fingerprint.h"
 #include "host/scene/name_apart.h"
 #include "host/scene/node_tree.h"
 #include "host/scene/own_extension.h"
@@ -85,8 +86,13 @@ class TakingApart {
   void find_poses() {
     for (int node = 0; node < tree_.size(); ++node) {
       if (!shows_model(typed(node)) || typed(node).skin < 0) continue;
-      const auto pose = tree_.pose(node);
-      if (pose && !pose->matrix().isIdentity(1e-6)) result_.base.poses.emplace(node, *pose);
+      try {
+        const auto pose = tree_.pose(node);
+        const bool is_known = pose && pose->matrix().allFinite();
+        if (is_known && !pose->matrix().isIdentity(1e-6)) result_.base.poses.emplace(node, *pose);
+      } catch (const FileError&) {
+        continue;  // a skin that cannot be read: nothing of ours needs it
+      }
     }
   }
 
@@ -139,8 +145,9 @@ class TakingApart {
   void add_stray(int node) {
     auto as_read = std::make_shared<CageAsRead>();
     describe(node, *as_read);
-    if (is_cage(node)) as_read->mesh = typed(node).mesh;
-    result_.content.strays.push_back({typed(node).name, is_cage(node), std::move(as_read)});
+    const bool is_of_a_cage = is_cage(node) || is_empty_cage_node(typed(node));
+    if (is_of_a_cage) as_read->mesh = typed(node).mesh;
+    result_.content.strays.push_back({typed(node).name, is_of_a_cage, std::move(as_read)});
     nodes_.strays.push_back(node);
   }
 
@@ -211,13 +218,19 @@ class TakingApart {
       return add_stray(node);
     }
     cage.name = typed(node).name;
-    cage.mesh = mesh_in(typed(node).mesh, to_mesh);
+    try {
+      cage.mesh = mesh_in(typed(node).mesh, to_mesh);
+    } catch (const FileError&) {
+      meshes_with_cage_.erase(cage.mesh_node);
+      throw;
+    }
     if (cage.mesh.triangles.empty()) {
       meshes_with_cage_.erase(cage.mesh_node);
       note(place_of(node) + " has no triangles, and stays as it is: delete it, or strip the scene");
       return add_stray(node);
     }
     forget_other_meshes_sections(node, cage);
+    forget_other_meshes_certificate(node, cage);
     auto as_read = std::make_shared<CageAsRead>();
     describe(node, *as_read);
     as_read->mesh = typed(node).mesh;
@@ -234,6 +247,29 @@ class TakingApart {
          std::to_string(cage.sections.size()) + ": it was changed, and its sections and certificate no longer count");
     cage.sections.clear();
     cage.certificate.clear();
+  }
+
+  // What it is of is in it, where it was written with the cage.
+  void forget_other_meshes_certificate(int node, SceneCage& cage) {
+    if (cage.certificate.empty()) return;
+    const GltfJson certificate = parse_gltf_json(path_, cage.certificate);
+    const GltfJson* of = find_key(certificate, "of");
+    if (of == nullptr) return;
+    const auto is_of = [of](const char* key, const TriangleMesh& mesh) {
+      const GltfJson* fingerprint = find_key(*of, key);
+      return fingerprint && *fingerprint == mesh_fingerprint(mesh);
+    };
+    if (is_of("cage", cage.mesh) && is_of("model", model_mesh(cage.mesh_node))) return;
+    note(place_of(node) + " or its model was changed since the cage was made: its certificate no longer counts");
+    cage.certificate.clear();
+  }
+
+  TriangleMesh model_mesh(int node) const {
+    try {
+      return read_gltf_mesh(path_, model_, typed(node).mesh).mesh;
+    } catch (const FileError&) {
+      return {};
+    }
   }
 
   TriangleMesh mesh_in(int mesh, const Eigen::Affine3d& to_mesh) const {

@@ -58,6 +58,14 @@ void add_dropped_triangles(const WeldedMesh& welded, Eigen::Index given_count, C
   std::sort(certificate.degenerate_triangles.begin(), certificate.degenerate_triangles.end());
 }
 
+// Products of three lengths, as volumes are, have to be numbers.
+void require_range(const Points& points) {
+  constexpr double largest = 1e100;
+  if (points.cwiseAbs().maxCoeff() <= largest) return;
+  throw Error(ErrorCode::mesh_not_finite,
+              "it reaches beyond 1e100, where volumes are no floating-point numbers: scale it");
+}
+
 // `body` with the name of the mesh that an error is about.
 template <class Body>
 auto of_mesh(const char* name, const Body& body) {
@@ -77,6 +85,8 @@ std::unique_ptr<cgw_evaluation> evaluate(const cgw_mesh* model, const cgw_mesh* 
   const WeldedMesh welded_model = of_mesh("the model", [&] { return weld(to_mesh(model)); });
   const IndexedMesh given_cage = of_mesh("the cage", [&] { return to_mesh(cage); });
   const WeldedMesh welded_cage = of_mesh("the cage", [&] { return weld(given_cage); });
+  of_mesh("the model", [&] { require_range(welded_model.mesh.points); });
+  of_mesh("the cage", [&] { require_range(welded_cage.mesh.points); });
   auto evaluation = std::make_unique<cgw_evaluation>();
   Certificate& found = evaluation->certificate.found;
   found = certify(welded_model.mesh, welded_cage.mesh, workers);

@@ -49,7 +49,8 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
     number(CGW_PARAM_REAL, "orient.lambda", "Alignment",
            "How strongly sections follow their slide's ellipse rather than their neighbours (equation 5)", "",
            default_lambda, 0, 1e9),
-    number(CGW_PARAM_REAL, "refine.delta", "Distance", "How far the cage stays from the model (equation 9)", "diagonal",
+    number(CGW_PARAM_REAL, "refine.delta", "Distance",
+           "How far the cage stays from the model: kept by enclosing, else aimed at by equation 9", "diagonal",
            default_refine.delta, 0, 1),
     number(CGW_PARAM_INTEGER, "refine.iterations", "Iterations", "Refinement steps at most", "",
            default_refine.iterations, 0, 1000),
@@ -58,8 +59,10 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
     choice("refine.scope", "Outermost vertices",
            "Which vertices a cage triangle has to clear: those seen through it (local) or all of its part's (part)",
            scope_names, static_cast<double>(default_refine.scope)),
-    number(CGW_PARAM_BOOLEAN, "refine.in_plane", "Sections in plane",
-           "Keep the corners of every section in the plane of its slide", "", default_refine.in_plane ? 1 : 0, 0, 1),
+    number(
+        CGW_PARAM_BOOLEAN, "refine.in_plane", "Sections in plane",
+        "Keep the corners of every section in the plane of its slide while refining, as enclose.in_plane does anyway",
+        "", default_refine.in_plane ? 1 : 0, 0, 1),
     number(CGW_PARAM_REAL, "refine.damping", "Damping",
            "Share of the trace of equation (8) that holds cage vertices back; more is slower and safer", "",
            default_refine.damping, 1e-9, 1),  // without any, equation (8) has no unique solution
@@ -184,11 +187,6 @@ PipelineOptions Parameters::options(bool editing) const {
   options.enclose.in_plane = values_[enclose_in_plane] != 0;
   options.enclose.corner_angle = values_[enclose_corner_angle];
   options.enclose.tighten = values_[enclose_tighten] != 0;
-  if (!options.certify) return options;
-  // Enclosing keeps the distance itself; a refinement that keeps it, too, would only start it from farther out. One
-  // that leaves the planes of the slides makes it harder to come back to them.
-  options.refine.delta = 0;
-  options.refine.in_plane = options.refine.in_plane || options.enclose.in_plane;
   return options;
 }
 

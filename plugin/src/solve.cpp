@@ -35,6 +35,13 @@ StageProgress progress_of(const cgw_host& host) {
   };
 }
 
+// Enclosing keeps the distance itself; a refinement that keeps it, too, would only start it from farther out. One that
+// leaves the planes of the slides makes it harder to come back to them.
+void refine_for_enclosing(PipelineOptions& options) {
+  options.refine.delta = 0;
+  options.refine.in_plane = options.refine.in_plane || options.enclose.in_plane;
+}
+
 void log_shortfalls(const cgw_host& host, const PipelineResult& made) {
   const bool is_certified = made.enclosure && made.enclosure->shortfall.empty();
   if (made.refinement && !made.refinement->converged && !is_certified)
@@ -49,6 +56,7 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
   PipelineOptions options = session.parameters.options(asked.editing == 1);
   options.enclose.tighten = options.enclose.tighten && asked.editing == 0;
   options.last_stage = static_cast<Stage>(asked.last_stage);
+  if (options.last_stage >= Stage::enclose && options.certify) refine_for_enclosing(options);
   options.refine.threads = options.enclose.threads = std::min(thread_count(asked.threads), most_threads);
 
   auto results = std::make_unique<Results>();

@@ -115,6 +115,7 @@ TEST_F(CageThatNoFileCanHold, HasWrongNotes) {
   expect([](SceneCage& cage) { cage.sections[2] = 1; }, {"vertex 2", "section 1 of 1"});
   expect([](SceneCage& cage) { cage.sections[2] = -2; }, {"vertex 2", "section -2"});
   expect([](SceneCage& cage) { cage.certificate = "{"; }, {"certificate", "no JSON object"});
+  expect([](SceneCage& cage) { cage.certificate = R"({"a": 1, "a": 2})"; }, {"certificate", "no JSON object"});
 }
 
 }  // namespace

@@ -124,7 +124,8 @@ typedef struct cgw_host {
   void* user; /* handed back as the first argument */
   void (*log)(void* user, int32_t level, const char* message);
   /* fraction in [0, 1] of the whole solve, never falling; stage as in stage_name. Nonzero return cancels: the solve
-     ends with CGW_CANCELLED within one refinement iteration, one slide's cut, or one of the short stages between. */
+     ends with CGW_CANCELLED within one refinement iteration, one step of enclosing, one slide's cut, or one of the
+     short stages between. */
   int32_t (*progress)(void* user, double fraction, const char* stage);
   /* An extension table of the host by versioned id, or NULL. None is defined in version 1.0. */
   const void* (*get_extension)(void* user, const char* id);
@@ -386,10 +387,14 @@ typedef struct cgw_summary {
    triangles are rows of the meshes that were given: to set_mesh and by get_cage, or to evaluation_create. */
 typedef struct cgw_certificate {
   uint32_t struct_size;
-  uint32_t encloses;         /* 1: closed is 1, the counts below are 0, and every vertex of the model is inside */
-  uint32_t closed;           /* 1: a closed, consistently oriented 2-manifold, every piece of it facing outward */
-  uint32_t keeps_distance;   /* 1: no point of cage and model is nearer than refine.delta asks for; 0 for evaluations */
-  uint64_t degenerate_count; /* set: cage triangles whose corners lie on a line */
+  /* 1: closed is 1, and the counts below are 0. Vertices that no triangle of the model uses, and triangles of it that
+     name a position twice, do not count as model. */
+  uint32_t encloses;
+  /* 1: a closed, consistently oriented 2-manifold whose pieces face outward, but for those that lie in others. */
+  uint32_t closed;
+  /* 1: cage and model are nowhere nearer than refine.delta asks for, in floating point; 0 for evaluations. */
+  uint32_t keeps_distance;
+  uint64_t degenerate_count;         /* set: cage triangles whose corners lie on a line */
   uint64_t self_intersection_count;  /* set: pairs of cage triangles that meet but in what they share */
   uint64_t model_intersection_count; /* set: model triangles that meet the cage; to touch is to meet */
   uint64_t outside_count;            /* set: model vertices that are not inside; on the cage is not inside */
@@ -402,8 +407,8 @@ typedef struct cgw_certificate {
   uint64_t model_intersection_capacity;
   uint32_t* outside_vertices; /* outside_count, or NULL */
   uint64_t outside_capacity;
-  const char* message; /* "" or the sentence that names the slides at fault and what to do; lives until the next solve
-                          or load_state. "" for evaluations */
+  const char* message; /* "" or the sentence that names the slides at fault and what to do; lives until the next solve,
+                          set_mesh or load_state, and as long as the session. "" for evaluations */
 } cgw_certificate;
 #define CGW_CERTIFICATE_INIT \
   { (uint32_t)sizeof(cgw_certificate), 0, 0, 0, 0, 0, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL }
