@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -22,11 +23,10 @@
 namespace cagewright {
 namespace {
 
-constexpr double most_seconds = 10;  // for one cage
-
 struct Settings {
   int count = 0, first = 0, judge_every = 1;
   unsigned seed = 1;
+  double most_seconds = 10;  // for one cage
   std::string oracle;
   std::filesystem::path keep;
   std::vector<std::filesystem::path> models;
@@ -47,6 +47,7 @@ struct Verdict {
   Outcome outcome = Outcome::failed;
   std::string sentence;  // ours where not all is well, or what failed
   double seconds = 0;
+  double processor_seconds = 0;  // of all threads: to tell a busy machine from a slow solve
   bool is_judged = false;
 };
 
@@ -101,14 +102,16 @@ Verdict solve(const Settings& settings, const Body& body, const std::vector<Slid
   } catch (const std::exception& error) {
     return failed(std::string("an exception that is no Error: ") + error.what(), elapsed());
   }
-  if (verdict.seconds > most_seconds) return failed("takes too long", verdict.seconds);
   if (verdict.outcome != Outcome::in_plane && !names_a_slide(verdict.sentence, slides))
     return failed("the sentence names no slide: " + verdict.sentence, verdict.seconds);
-  if (verdict.outcome == Outcome::sentence || settings.oracle.empty() || set % settings.judge_every != 0)
-    return verdict;
-  verdict.is_judged = true;
-  const std::string why = denial(settings, body, {result.cage->points, result.cage->triangles});
-  return why.empty() ? verdict : failed(why, verdict.seconds);
+  if (verdict.outcome != Outcome::sentence && !settings.oracle.empty() && set % settings.judge_every == 0) {
+    verdict.is_judged = true;
+    const std::string why = denial(settings, body, {result.cage->points, result.cage->triangles});
+    if (!why.empty()) return failed(why, verdict.seconds);
+  }
+  if (verdict.seconds <= settings.most_seconds) return verdict;
+  return failed("it takes too long; " + std::string(outcome_names[static_cast<std::size_t>(verdict.outcome)]),
+                verdict.seconds);
 }
 
 // As the program reads them.
@@ -133,7 +136,9 @@ void run_set(const Settings& settings, const Body& body, const SlideSets& sets, 
     std::cout << "fewer than two slides fit" << std::endl;
     return;
   }
-  const Verdict verdict = solve(settings, body, slides, set);
+  const std::clock_t before = std::clock();
+  Verdict verdict = solve(settings, body, slides, set);
+  verdict.processor_seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
   ++tally.sets;
   ++tally.outcomes[verdict.outcome];
   tally.judged += verdict.is_judged;
@@ -143,8 +148,8 @@ void run_set(const Settings& settings, const Body& body, const SlideSets& sets, 
     tally.worst_seconds = verdict.seconds;
     tally.worst_set = set;
   }
-  std::cout << slides.size() << " slides, " << verdict.seconds << " s, "
-            << outcome_names[static_cast<std::size_t>(verdict.outcome)];
+  std::cout << slides.size() << " slides, " << verdict.seconds << " s (processors: " << verdict.processor_seconds
+            << " s), " << outcome_names[static_cast<std::size_t>(verdict.outcome)];
   if (!verdict.sentence.empty()) std::cout << ": " << verdict.sentence;
   std::cout << std::endl;
   if (!settings.keep.empty() && verdict.outcome >= Outcome::sentence) keep(settings, body, slides, set);
@@ -186,9 +191,10 @@ int usage() {
       << "core_random_slides [OPTION]... COUNT [MODEL.off]...\n\n"
          "Makes cages of COUNT random sets of slides on each model (none named: small bodies of our own) and says\n"
          "how they end. Exit: 0; 1 where one is neither certified nor has a sentence that names a slide, takes\n"
-         "more than 10 s, ends with anything else, or has a certificate that the oracle denies.\n\n"
+         "more than --seconds, ends with anything else, or has a certificate that the oracle denies.\n\n"
          "  --oracle PROGRAM   a judge, PROGRAM MODEL CAGE; without it certificates are taken for granted\n"
          "  --judge-every N    asks it about every so manieth set only (1)\n"
+         "  --seconds N        for one cage, with nothing else going on (10)\n"
          "  --keep FOLDER      writes the slides of sets without a certificate there\n"
          "  --seed N           other sets (1)\n"
          "  --first N          starts with that set (0): with COUNT 1 it is done again\n";
@@ -212,6 +218,8 @@ bool read_arguments(const std::vector<std::string>& arguments, Settings& setting
       settings.keep = value;
     else if (option == "--judge-every")
       settings.judge_every = std::atoi(value.c_str());
+    else if (option == "--seconds")
+      settings.most_seconds = std::atof(value.c_str());
     else if (option == "--seed")
       settings.seed = static_cast<unsigned>(std::atoi(value.c_str()));
     else if (option == "--first")
