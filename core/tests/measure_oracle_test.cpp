@@ -1,39 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
 #include "core/measure/tightness.h"
 #include "core/pipeline/pipeline.h"
+#include "core/tests/off_file.h"
+#include "core/tests/oracle.h"
 #include "core/tests/random_numbers.h"
 #include "core/tests/shapes.h"
 
-// The figures against an independent judge, a program `ORACLE MODEL CAGE` that prints one JSON object.
+// The figures against an independent judge.
 // CAGEWRIGHT_ORACLE and CAGEWRIGHT_MVC_CAGES come from CMake and may be empty.
 namespace cagewright {
 namespace {
 
 const std::string oracle = CAGEWRIGHT_ORACLE;
 const std::filesystem::path mvc_cages = CAGEWRIGHT_MVC_CAGES;
-const char* const no_oracle =
-    "no oracle: configure with -DCAGEWRIGHT_ORACLE_SOURCE=FILE and the host, with CGAL, Boost, GMP and MPFR installed";
-
-std::filesystem::path write_off(const IndexedMesh& mesh, const std::string& name) {
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / ("cagewright_measure_" + name + ".off");
-  std::ofstream file(path);
-  file << "OFF\n" << mesh.points.rows() << ' ' << mesh.triangles.rows() << " 0\n" << std::setprecision(17);
-  for (const auto& point : mesh.points.rowwise()) file << point[0] << ' ' << point[1] << ' ' << point[2] << '\n';
-  for (const auto& t : mesh.triangles.rowwise()) file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  return path;
-}
 
 IndexedMesh read_obj(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -52,17 +38,6 @@ IndexedMesh read_obj(const std::filesystem::path& path) {
   if (points.empty()) throw std::runtime_error("no mesh in " + path.string());
   return {Eigen::Map<Points>(points.data(), static_cast<Eigen::Index>(points.size() / 3), 3),
           Eigen::Map<Triangles>(triangles.data(), static_cast<Eigen::Index>(triangles.size() / 3), 3)};
-}
-
-nlohmann::json ask_oracle(const std::filesystem::path& model, const std::filesystem::path& cage) {
-  const std::string command = "'" + oracle + "' '" + model.string() + "' '" + cage.string() + "'";
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("the oracle does not start");
-  std::string output;
-  std::array<char, 4096> bytes;
-  while (const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), pipe)) output.append(bytes.data(), got);
-  if (::pclose(pipe) != 0) throw std::runtime_error("the oracle failed: " + command);
-  return nlohmann::json::parse(output);
 }
 
 // The oracle prints 6 digits.
@@ -89,7 +64,7 @@ TEST(MeasureOracle, AgreesOnCagesMadeByHand) {
                                     std::pair("horse/horse.obj", "horse/deformed_bounding_mesh2b.obj")}) {
     SCOPED_TRACE(cage);
     expect_as_oracle(read_obj(mvc_cages / model), read_obj(mvc_cages / cage),
-                     ask_oracle(mvc_cages / model, mvc_cages / cage));
+                     ask_oracle(oracle, mvc_cages / model, mvc_cages / cage));
   }
 }
 
@@ -104,11 +79,8 @@ TEST(MeasureOracle, AgreesOnOurOwnCages) {
       IndexedMesh cage{result.cage->points, result.cage->triangles};
       for (Eigen::Index v = 0; v < cage.points.rows(); ++v)
         cage.points.row(v) += shaking * model.diagonal * random.uniform(0, 1) * random.direction().transpose();
-      const auto model_file = write_off(body.mesh, "model"), cage_file = write_off(cage, "cage");
-      const nlohmann::json verdict = ask_oracle(model_file, cage_file);
-      std::filesystem::remove(model_file);
-      std::filesystem::remove(cage_file);
-      expect_as_oracle(body.mesh, cage, verdict);
+      const TemporaryOff model_file(body.mesh, "model"), cage_file(cage, "cage");
+      expect_as_oracle(body.mesh, cage, ask_oracle(oracle, model_file.path(), cage_file.path()));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/tests/cage_checks.h"
 #include "core/tests/meshes.h"
+#include "core/tests/off_file.h"
 #include "core/tests/shapes.h"
 
 // The properties of the pipeline on models of tens of thousands of triangles. CAGEWRIGHT_MODEL_FOLDERS (own, real) and
@@ -16,21 +17,12 @@
 namespace cagewright {
 namespace {
 
-std::optional<IndexedMesh> read_off(const std::string& name) {
-  for (const std::string folder : {CAGEWRIGHT_MODEL_FOLDERS}) {
+std::optional<IndexedMesh> find_model(const std::string& name) {
+  for (const std::string folder : {CAGEWRIGHT_MODEL_FOLDERS})
     for (const std::string inner : {"", "meshes/"}) {
-      std::ifstream file(folder + "/" + inner + name + ".off");
-      std::string magic;
-      Eigen::Index points = 0, triangles = 0, edges = 0;
-      if (folder.empty() || !(file >> magic >> points >> triangles >> edges)) continue;
-      IndexedMesh mesh{Points(points, 3), Triangles(triangles, 3)};
-      for (Eigen::Index i = 0; i < mesh.points.size(); ++i) file >> mesh.points.data()[i];
-      for (Eigen::Index t = 0; t < triangles; ++t)
-        file >> edges >> mesh.triangles(t, 0) >> mesh.triangles(t, 1) >> mesh.triangles(t, 2);
-      if (!file) throw std::runtime_error(name + ".off ends early");
-      return mesh;
+      const std::string path = folder + "/" + inner + name + ".off";
+      if (!folder.empty() && std::filesystem::exists(path)) return read_off(path);
     }
-  }
   return {};
 }
 
@@ -62,7 +54,7 @@ std::vector<Slide> read_slides(const std::string& name) {
 class PipelineOnModel : public testing::TestWithParam<const char*> {};
 
 TEST_P(PipelineOnModel, MakesAClosedConvergedCageThatMovesWithIt) {
-  const auto mesh = read_off(GetParam());
+  const auto mesh = find_model(GetParam());
   if (!mesh) GTEST_SKIP() << GetParam() << ".off is in no model folder (see testdata/README.md)";
   const std::vector<Slide> slides = read_slides(GetParam());
   const Model model = prepare_model(*mesh);
@@ -87,7 +79,7 @@ TEST_P(PipelineOnModel, MakesAClosedConvergedCageThatMovesWithIt) {
 }
 
 TEST_P(PipelineOnModel, MakesACertifiedCageInPlaneAndFree) {
-  const auto mesh = read_off(GetParam());
+  const auto mesh = find_model(GetParam());
   if (!mesh) GTEST_SKIP() << GetParam() << ".off is in no model folder (see testdata/README.md)";
   const std::vector<Slide> slides = read_slides(GetParam());
   const std::vector<std::string> names = checks::names_of(slides);
