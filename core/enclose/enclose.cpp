@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/enclose/clearance.h"
 #include "core/enclose/find_contacts.h"
 #include "core/enclose/flatten.h"
 #include "core/enclose/push_out.h"
@@ -56,7 +57,7 @@ class Enclosing {
   Enclosure run(const Progress& progress) {
     bool is_clear = begin(shape_, part_of(progress, 0, push_share));
     if (!is_clear && options_.in_plane) is_clear = begin_free(part_of(progress, push_share, free_share));
-    if (is_clear) keep_clearance(part_of(progress, free_share, clearance_share));
+    if (is_clear) keep(part_of(progress, free_share, clearance_share));
     result_.first_volume = movable_.volume();
     const Points loose = movable_.points();
     if (is_clear && options_.tighten)
@@ -111,20 +112,12 @@ class Enclosing {
     return steps < most;
   }
 
-  // Little by little, since walls that turn make room for others. What does not get it all keeps what it has.
-  void keep_clearance(const Progress& progress) {
-    constexpr int stages = 4, most_at_stage = 12;
-    if (wanted_ <= gap_) return;
-    for (int stage = 1; stage <= stages; ++stage)
-      push(shape_, gap_ + (wanted_ - gap_) * stage / stages, most_at_stage, Whose::any,
-           part_of(progress, (stage - 1.0) / stages, static_cast<double>(stage) / stages));
-    for (int t = 0; t < movable_.triangle_count(); ++t)
-      for (int share = finest; share > 0; --share) {
-        const double tried = share == finest ? wanted_ : wanted_ * share / finest;
-        if (tried <= gap_ || movable_.hits_model(t, Whose::any, tried)) continue;
-        clearance_[static_cast<std::size_t>(t)] = tried;
-        break;
-      }
+  void keep(const Progress& progress) {
+    if (options_.delta <= 0 || wanted_ <= gap_) return;
+    const ClearanceOptions options{wanted_ + gap_ / 2, gap_, model_.diagonal, options_.in_plane, options_.threads};
+    Clearance clearance = keep_clearance(movable_, shape_, neighbours_, owners_, options, progress);
+    clearance_ = std::move(clearance.kept);
+    result_.pushes += clearance.pushes;
   }
 
   void judge() {
@@ -138,16 +131,20 @@ class Enclosing {
     for (int k = 0; options_.in_plane && k < shape_.section_count(); ++k)
       if (shape_.is_released(k)) result_.sections_off_plane.push_back(k);
     result_.most_off_square = shape_.most_off(result_.points) / degree;
-    std::set<int> near;
+    judge_clearance();
+    result_.shortfall = shortfall();
+  }
+
+  void judge_clearance() {
+    too_near_ = {};
     result_.least_distance = wanted_;
-    const double rounding = std::numeric_limits<float>::epsilon() * wanted_;
-    for (int t = 0; t < movable_.triangle_count(); ++t) {
-      if (options_.delta <= 0 || !movable_.hits_model(t, Whose::any, wanted_ - rounding)) continue;
-      add_slides(t, near);
-      result_.least_distance = std::min(result_.least_distance, clearance_[static_cast<std::size_t>(t)]);
+    if (options_.delta > 0) {
+      const double rounding = std::numeric_limits<float>::epsilon() * wanted_;
+      const std::vector<double> kept = distances_kept(movable_, wanted_ - rounding, options_.threads);
+      too_near_ = find_too_near(movable_, kept, wanted_ - rounding);
+      if (!too_near_.slides.empty()) result_.least_distance = *std::min_element(kept.begin(), kept.end());
     }
-    result_.keeps_delta = near.empty() && result_.certificate.encloses();
-    result_.shortfall = shortfall(near);
+    result_.keeps_delta = too_near_.slides.empty() && result_.certificate.encloses();
   }
 
   void add_slides(int t, std::set<int>& slides) const {
@@ -155,26 +152,36 @@ class Enclosing {
     for (const PartSection& side : movable_.segmentation().parts[part].sections) slides.insert(side.slide);
   }
 
-  std::string shortfall_of_certified(const std::set<int>& near) const {
+  std::string shortfall_of_certified() const {
     std::ostringstream text;
-    if (!near.empty())
+    const bool is_near = !too_near_.slides.empty();
+    if (is_near)
       text << std::setprecision(3)
            << "the cage encloses the model, but not with the distance asked for everywhere; where "
            << "it does not it keeps " << result_.least_distance / model_.diagonal << " of the diagonal: ask for less "
            << "(refine.delta), or move limbs apart or add slides where they are close to each other, near "
-           << quoted(near, names_);
+           << quoted(too_near_.slides, names_);
+    if (!too_near_.conflicts.empty())
+      text << "; nearer to each other than twice that distance are " << pairs_in_conflict();
     const std::set<int> released(result_.sections_off_plane.begin(), result_.sections_off_plane.end());
     if (!released.empty())
-      text << (near.empty() ? "" : "; ") << "the cage encloses the model, but the sections of the slides "
+      text << (is_near ? "; " : "") << "the cage encloses the model, but the sections of the slides "
            << quoted(released, names_)
            << " could not stay in their planes and near to square: move or turn these slides, "
            << "or add one beside them";
     return text.str();
   }
 
-  std::string shortfall(const std::set<int>& near) const {
+  std::string pairs_in_conflict() const {
+    std::string text;
+    for (const auto& [a, b] : too_near_.conflicts)
+      text += (text.empty() ? "" : "; ") + ("the limbs at " + quoted({a}, names_)) + " and " + quoted({b}, names_);
+    return text;
+  }
+
+  std::string shortfall() const {
     const Certificate& certificate = result_.certificate;
-    if (certificate.encloses()) return shortfall_of_certified(near);
+    if (certificate.encloses()) return shortfall_of_certified();
     std::set<int> slides;
     for (const int t : certificate.degenerate_triangles) add_slides(t, slides);
     for (const auto& [s, t] : certificate.self_intersections) {
@@ -191,7 +198,7 @@ class Enclosing {
     return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
-  static constexpr int most_pushes = 60, most_pushes_in_plane = 24, patience_in_plane = 8, finest = 20;
+  static constexpr int most_pushes = 60, most_pushes_in_plane = 24, patience_in_plane = 8;
 
   const Model& model_;
   const std::vector<SectionFrame>& sections_;
@@ -203,6 +210,7 @@ class Enclosing {
   std::vector<int> owners_;
   VertexNeighbours neighbours_;
   double gap_, wanted_;            // model units
+  TooNear too_near_;               // in the end
   std::vector<double> clearance_;  // of each cage triangle: what it keeps
   Enclosure result_;
 };

@@ -31,6 +31,12 @@ void SectionShape::release(int section) {
   normals_.middleRows(4 * section, 4).setZero();
 }
 
+void SectionShape::hold(int section) {
+  const auto k = static_cast<std::size_t>(section);
+  is_released_[k] = 0;
+  for (int i = 0; i < 4; ++i) normals_.row(4 * section + i) = sections_[k].normal.transpose();
+}
+
 void SectionShape::put_in_plane(Points& points) const {
   put_in_plane(points, std::vector<char>(sections_of_.size(), 1));
 }

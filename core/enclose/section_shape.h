@@ -19,6 +19,8 @@ class SectionShape {
   int section_count() const { return static_cast<int>(sections_.size()); }
   bool is_released(int section) const { return is_released_[static_cast<std::size_t>(section)] != 0; }
   void release(int section);
+  // Takes a release back; the section has to be in its plane and sound again.
+  void hold(int section);
 
   // Moves the corners into their planes, exactly but for rounding.
   void put_in_plane(Points& points) const;
