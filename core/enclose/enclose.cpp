@@ -36,6 +36,16 @@ std::string quoted(const std::set<int>& slides, const std::vector<std::string>& 
 }
 
 // Everything that the steps of enclosing share.
+// How far floats are apart where the model is.
+double float_step(const Points& points) { return std::numeric_limits<float>::epsilon() * points.cwiseAbs().maxCoeff(); }
+
+// Whether they can tell the model's walls apart: not beyond their range, nor very far from the origin.
+bool floats_hold(const Points& points, double diagonal) {
+  const bool in_range = points.cwiseAbs().maxCoeff() < 0.1 * double{std::numeric_limits<float>::max()} &&
+                        diagonal > 1e6 * double{std::numeric_limits<float>::min()};
+  return in_range && float_step(points) < tolerance::coarsest_float * diagonal;
+}
+
 class Enclosing {
  public:
   Enclosing(const Model& model, const Segmentation& segmentation, const std::vector<SectionFrame>& sections,
@@ -49,8 +59,8 @@ class Enclosing {
         shape_(cage, sections, options.in_plane, options.corner_angle * degree),
         owners_(find_vertex_owners(segmentation.cut)),
         neighbours_(segmentation.cut),
-        gap_(std::max(tolerance::least_gap * model.diagonal,
-                      4 * std::numeric_limits<float>::epsilon() * segmentation.cut.points.cwiseAbs().maxCoeff())),
+        rounds_(options.round_to_float && floats_hold(segmentation.cut.points, model.diagonal)),
+        gap_(std::max(tolerance::least_gap * model.diagonal, rounds_ ? 4 * float_step(segmentation.cut.points) : 0)),
         wanted_(std::max(gap_, options.delta * model.diagonal)),
         clearance_(static_cast<std::size_t>(movable_.triangle_count()), gap_) {}
 
@@ -121,7 +131,7 @@ class Enclosing {
   }
 
   void judge() {
-    if (options_.round_to_float) {
+    if (rounds_) {
       const Points rounded = movable_.points().cast<float>().cast<double>();
       movable_.place_all(rounded);
     }
@@ -209,6 +219,7 @@ class Enclosing {
   SectionShape shape_;
   std::vector<int> owners_;
   VertexNeighbours neighbours_;
+  bool rounds_;                    // to floats in the end
   double gap_, wanted_;            // model units
   TooNear too_near_;               // in the end
   std::vector<double> clearance_;  // of each cage triangle: what it keeps

@@ -13,10 +13,12 @@ struct EncloseOptions {
   double delta = 0;  // clearance: the least distance from model to cage, as a fraction of the diagonal
   // Section corners stay in their slides' planes, and the angles of the sections within corner_angle of a right angle.
   bool in_plane = true;
-  bool tighten = true;         // take volume off again while the cage keeps its certificate
-  unsigned threads = 0;        // 0: all
-  double corner_angle = 15;    // degrees
-  bool round_to_float = true;  // the points are floats in the end, as files hold them, and so certified
+  bool tighten = true;       // take volume off again while the cage keeps its certificate
+  unsigned threads = 0;      // 0: all
+  double corner_angle = 15;  // degrees
+  // The points are floats in the end, as files hold them, and so certified; but for models that floats do not hold: too
+  // large or small for them, or so far from the origin that they are 1e-4 of the diagonal apart.
+  bool round_to_float = true;
 };
 
 struct Enclosure {
