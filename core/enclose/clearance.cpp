@@ -14,7 +14,7 @@ namespace {
 
 constexpr int stages = 4, most_at_stage = 12;    // walls that turn make room for others: little by little
 constexpr int releases = 3, most_released = 16;  // rounds of letting sections go, steps of each
-constexpr int most_short = 4;    // one of so many triangles: where more are too near, there is no room, planes or not
+constexpr int most_short = 3;    // one of so many triangles: where more are too near, there is no room, planes or not
 constexpr double gained = 0.02;  // of the distance wanted: less is not worth leaving a plane for
 
 class Clearing {
