@@ -14,7 +14,8 @@ namespace {
 
 constexpr int stages = 4, most_at_stage = 12;    // walls that turn make room for others: little by little
 constexpr int releases = 3, most_released = 16;  // rounds of letting sections go, steps of each
-constexpr double gained = 0.02;                  // of the distance wanted: less is not worth leaving a plane for
+constexpr int most_short = 3;    // one of so many triangles: where more are too near, there is no room, planes or not
+constexpr double gained = 0.02;  // of the distance wanted: less is not worth leaving a plane for
 
 class Clearing {
  public:
@@ -74,17 +75,20 @@ class Clearing {
   // Lets the sections go that hold triangles which are too near; false where there are none or nothing is gained.
   bool release(const Progress& progress) {
     std::set<int> held;
+    int count = 0;
     for (int t = 0; t < movable_.triangle_count(); ++t) {
       if (result_.kept[static_cast<std::size_t>(t)] >= options_.wanted) continue;
+      ++count;
       for (int i = 0; i < 3; ++i)
         if (const int k = shape_.section_of(movable_.vertex_of(t, i)); k >= 0 && !free_.is_released(k)) held.insert(k);
     }
-    if (held.empty()) return false;
+    if (held.empty() || most_short * count > movable_.triangle_count()) return false;
     const Points before = movable_.points();
     for (const int k : held) free_.release(k);
     push(options_.wanted, most_released, progress);
     std::vector<double> now = distances();
-    if (lacking(result_.kept) - lacking(now) > gained * options_.wanted) {
+    const auto least = [](const std::vector<double>& kept) { return *std::min_element(kept.begin(), kept.end()); };
+    if (least(now) >= least(result_.kept) && lacking(result_.kept) - lacking(now) > gained * options_.wanted) {
       result_.kept = std::move(now);
       any_released_ = true;
       return true;

@@ -38,10 +38,11 @@ std::vector<double> distances_kept(const MovableCage& movable, double most, unsi
 // Where it keeps less than is wanted (kept: of each cage triangle).
 struct TooNear {
   std::set<int> slides;                     // whose sections the triangles join, or whose limbs they cap
-  std::set<std::pair<int, int>> conflicts;  // slides of limbs that are in each other's way, the lower first
+  std::set<std::pair<int, int>> conflicts;  // slides of limbs that may be in each other's way, the lower first
 };
 
-// Two limbs are in each other's way where a triangle of one has model of the other within twice the distance wanted.
+// Two limbs may be in each other's way where a triangle of one that is too near has model of the other within twice the
+// distance wanted.
 TooNear find_too_near(const MovableCage& movable, const std::vector<double>& kept, double wanted);
 
 }  // namespace cagewright

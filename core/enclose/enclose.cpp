@@ -171,8 +171,7 @@ class Enclosing {
            << "it does not it keeps " << result_.least_distance / model_.diagonal << " of the diagonal: ask for less "
            << "(refine.delta), or move limbs apart or add slides where they are close to each other, near "
            << quoted(too_near_.slides, names_);
-    if (!too_near_.conflicts.empty())
-      text << "; nearer to each other than twice that distance are " << pairs_in_conflict();
+    if (!too_near_.conflicts.empty()) text << "; in each other's way may be " << pairs_in_conflict();
     const std::set<int> released(result_.sections_off_plane.begin(), result_.sections_off_plane.end());
     if (!released.empty())
       text << (is_near ? "; " : "") << "the cage encloses the model, but the sections of the slides "

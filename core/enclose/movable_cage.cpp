@@ -194,7 +194,7 @@ void MovableCage::visit_hits(int t, Whose whose, double clearance, const std::fu
       if (plane_parts(corners, n, model_triangle, clearance) ||
           plane_parts(model_triangle, normal_of(model_triangle), corners, clearance))
         return false;
-      if (triangle_distance(model_triangle, corners) >= clearance && !meet(model_triangle, corners)) return false;
+      if (!are_nearer_than(model_triangle, corners, clearance) && !meet(model_triangle, corners)) return false;
     } else if (!meet(model_triangle, corners)) {
       return false;
     }
@@ -222,7 +222,7 @@ bool MovableCage::are_in_the_way(int t, int other, double gap) const {
   const Triangle3 a = triangle(t), b = triangle(other);
   if (!shares && gap > 0) {
     if (plane_parts(a, normal_of(a), b, gap) || plane_parts(b, normal_of(b), a, gap)) return false;
-    if (triangle_distance(a, b) < gap) return true;
+    if (are_nearer_than(a, b, gap)) return true;
   }
   // A triangle without area meets what it meets by its edges; it is in the way wherever boxes meet.
   if (is_degenerate(a) || is_degenerate(b)) return true;

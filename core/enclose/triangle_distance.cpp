@@ -96,4 +96,24 @@ NearestPoints nearest_points(const Triangle3& s, const Triangle3& t) {
 
 double triangle_distance(const Triangle3& s, const Triangle3& t) { return nearest_points(s, t).distance; }
 
+bool are_nearer_than(const Triangle3& s, const Triangle3& t, double distance) {
+  const auto is_nearer = [&](double squared) { return std::sqrt(squared) < distance; };
+  Vector3 foot;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (foot_inside(s[i], t, foot) && is_nearer((at_barycentric(t, foot) - s[i]).squaredNorm())) return true;
+    if (foot_inside(t[i], s, foot) && is_nearer((at_barycentric(s, foot) - t[i]).squaredNorm())) return true;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3& p = s[i];
+    const Vector3& q = s[(i + 1) % 3];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vector3& a = t[j];
+      const Vector3& b = t[(j + 1) % 3];
+      const auto [along_s, along_t] = nearest_of_segments(p, q, a, b);
+      if (is_nearer((p + along_s * (q - p) - a - along_t * (b - a)).squaredNorm())) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace cagewright

@@ -10,6 +10,9 @@ namespace cagewright {
 // Between two triangles that do not meet; for those that do, something between 0 and the distance of their borders.
 double triangle_distance(const Triangle3& s, const Triangle3& t);
 
+// Whether that is less than `distance`; faster where it is.
+bool are_nearer_than(const Triangle3& s, const Triangle3& t, double distance);
+
 // The points of two triangles at that distance, by barycentric coordinates.
 struct NearestPoints {
   double distance = 0;

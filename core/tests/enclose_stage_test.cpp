@@ -192,6 +192,8 @@ TEST(Enclose, SaysWhereTheClearanceIsNotKept) {
   EXPECT_GE(least, enclosure.least_distance * (1 - 1e-5));
   EXPECT_NE(enclosure.shortfall.find("not with the distance asked for everywhere"), std::string::npos);
   EXPECT_NE(enclosure.shortfall.find("near '"), std::string::npos) << enclosure.shortfall;
+  EXPECT_NE(enclosure.shortfall.find("in each other's way may be the limbs at '"), std::string::npos)
+      << enclosure.shortfall;
 }
 
 TEST(Enclose, SaysWhichSlidesAreInTheWayWhereItFails) {
