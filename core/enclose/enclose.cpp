@@ -7,10 +7,12 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "core/enclose/clearance.h"
 #include "core/enclose/find_contacts.h"
 #include "core/enclose/flatten.h"
+#include "core/enclose/merge_limbs.h"
 #include "core/enclose/push_out.h"
 #include "core/enclose/start.h"
 #include "core/enclose/tighten.h"
@@ -22,7 +24,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 using Whose = MovableCage::Whose;
 
-constexpr double push_share = 0.15, free_share = 0.3, clearance_share = 0.45;  // of the progress, where they end
+constexpr double push_share = 0.15, free_share = 0.3, clearance_share = 0.45,
+                 merge_share = 0.8;  // of the progress, where they end
 
 Progress part_of(const Progress& progress, double begin, double end) {
   if (!progress) return {};
@@ -68,20 +71,29 @@ class Enclosing {
     bool is_clear = begin(shape_, part_of(progress, 0, push_share));
     if (!is_clear && options_.in_plane) is_clear = begin_free(part_of(progress, push_share, free_share));
     if (is_clear) keep(part_of(progress, free_share, clearance_share));
+    double done = is_clear ? clearance_share : free_share;
+    if (options_.merge && (!is_clear || lacks_clearance())) {
+      const double begin = std::exchange(done, merge_share);
+      if (auto merged = merge(is_clear, part_of(progress, begin, done))) return std::move(*merged);
+    }
+    finish(is_clear, part_of(progress, done, 1));
+    return std::move(result_);
+  }
+
+ private:
+  void finish(bool is_clear, const Progress& progress) {
     result_.first_volume = movable_.volume();
     const Points loose = movable_.points();
     if (is_clear && options_.tighten)
-      result_.sweeps = tighten(movable_, shape_, owners_, {clearance_, gap_, model_.diagonal, options_.threads},
-                               part_of(progress, clearance_share, 1));
+      result_.sweeps =
+          tighten(movable_, shape_, owners_, {clearance_, gap_, model_.diagonal, options_.threads}, progress);
     judge();
     if (result_.sweeps > 0 && !result_.certificate.encloses()) {  // rounding brought something into the way
       movable_.place_all(loose);
       judge();
     }
-    return std::move(result_);
   }
 
- private:
   Guard guard_of(Whose whose) const {
     return {whose, clearance_, gap_, std::vector<char>(clearance_.size(), 0), options_.threads};
   }
@@ -108,14 +120,82 @@ class Enclosing {
     return false;
   }
 
-  bool push(const SectionShape& shape, double clearance, int most, Whose guarded, const Progress& progress) {
+  bool lacks_clearance() const {
+    return options_.delta > 0 && *std::min_element(clearance_.begin(), clearance_.end()) < wanted_;
+  }
+
+  // The cage with limbs made one, where that encloses the model and, unless nothing else does, keeps the clearance.
+  std::optional<Enclosure> merge(bool is_clear, const Progress& progress) {
+    const Points before = movable_.points();
+    std::optional<Enclosure> result;
+    for (const bool in_plane : {true, false}) {
+      if (result || (in_plane && !options_.in_plane)) continue;
+      const double begin = in_plane ? 0 : 0.5;
+      const MergedLimbs limbs = run_through(in_plane, part_of(progress, begin, begin + 0.2));
+      if (limbs.cage.triangles.rows() == 0) continue;
+      Enclosing merged(model_, movable_.segmentation(), sections_, limbs.cage, names_, options_);
+      merged.finish_merged(limbs.slides, result_.pushes, part_of(progress, begin + 0.2, begin + 0.5));
+      if (merged.result_.certificate.encloses() && (merged.result_.keeps_delta || !is_clear))
+        result = std::move(merged.result_);
+    }
+    movable_.place_all(before);
+    return result;
+  }
+
+  // Walls go out until each bounds its own part's model, through whatever else is there; then limbs become one.
+  MergedLimbs run_through(bool in_plane, const Progress& progress) {
+    const SectionShape shape(cage_, sections_, in_plane, options_.corner_angle * degree);
+    Points points = cage_.points;
+    shape.put_in_shape(points);
+    movable_.place_all(points);
+    PushOptions push = options_of_push(gap_);
+    push.own_only = true;
+    push.guarded = Whose::nobody;
+    result_.pushes += push_out(movable_, shape, neighbours_, owners_, push, part_of(progress, 0, 0.5));
+    constexpr int stages = 4;
+    for (int stage = 1; stage <= stages && wanted_ > gap_; ++stage) {
+      push = options_of_push(gap_ + (wanted_ + gap_ / 2 - gap_) * stage / stages);
+      push.own_only = true;
+      push.guarded = Whose::own;
+      result_.pushes += push_out(movable_, shape, neighbours_, owners_, push, {});
+    }
+    return merge_limbs(movable_, {wanted_, gap_, rounds_});
+  }
+
+  void finish_merged(const std::set<std::pair<int, int>>& limbs, int pushes, const Progress& progress) {
+    limbs_merged_ = limbs;
+    result_.pushes = pushes;
+    for (int k = 0; k < shape_.section_count(); ++k)
+      if (!shape_.is_released(k) && !is_in_place(k)) shape_.release(k);
+    const bool is_clear = push(shape_, gap_, most_pushes_in_plane, Whose::any, part_of(progress, 0, 0.2));
+    if (is_clear) keep(part_of(progress, 0.2, 0.5));
+    finish(is_clear, part_of(progress, 0.5, 1));
+    result_.merged = cage_;
+    result_.merged->points = result_.points;
+  }
+
+  bool is_in_place(int section) const {
+    const SectionFrame& frame = sections_[static_cast<std::size_t>(section)];
+    for (int i = 0; i < 4; ++i)
+      if (std::abs(frame.normal.dot(movable_.point(shape_.corner(section, i)) - frame.center)) >
+          tolerance::least_gap * model_.diagonal)
+        return false;
+    return shape_.is_sound(section, movable_.points());
+  }
+
+  PushOptions options_of_push(double clearance) const {
     PushOptions push;
     push.clearance = clearance;
     push.gap = gap_;
     push.diagonal = model_.diagonal;
+    push.threads = options_.threads;
+    return push;
+  }
+
+  bool push(const SectionShape& shape, double clearance, int most, Whose guarded, const Progress& progress) {
+    PushOptions push = options_of_push(clearance);
     push.most = most;
     if (most == most_pushes_in_plane) push.patience = patience_in_plane;
-    push.threads = options_.threads;
     push.guarded = guarded;
     const int steps = push_out(movable_, shape, neighbours_, owners_, push, progress);
     result_.pushes += steps;
@@ -138,8 +218,12 @@ class Enclosing {
     result_.points = movable_.points();
     result_.certificate = certify(to_indexed_mesh(model_.mesh), {result_.points, cage_.triangles}, options_.threads);
     result_.sections_off_plane.clear();
-    for (int k = 0; options_.in_plane && k < shape_.section_count(); ++k)
-      if (shape_.is_released(k)) result_.sections_off_plane.push_back(k);
+    result_.sections_merged.clear();
+    for (int k = 0; k < shape_.section_count(); ++k)
+      if (!shape_.is_whole(k))
+        result_.sections_merged.push_back(k);
+      else if (options_.in_plane && shape_.is_released(k))
+        result_.sections_off_plane.push_back(k);
     result_.most_off_square = shape_.most_off(result_.points) / degree;
     judge_clearance();
     result_.shortfall = shortfall();
@@ -171,19 +255,23 @@ class Enclosing {
            << "it does not it keeps " << result_.least_distance / model_.diagonal << " of the diagonal: ask for less "
            << "(refine.delta), or move limbs apart or add slides where they are close to each other, near "
            << quoted(too_near_.slides, names_);
-    if (!too_near_.conflicts.empty()) text << "; in each other's way may be " << pairs_in_conflict();
+    if (!too_near_.conflicts.empty()) text << "; in each other's way may be " << pairs(too_near_.conflicts);
     const std::set<int> released(result_.sections_off_plane.begin(), result_.sections_off_plane.end());
     if (!released.empty())
       text << (is_near ? "; " : "") << "the cage encloses the model, but the sections of the slides "
            << quoted(released, names_)
            << " could not stay in their planes and near to square: move or turn these slides, "
            << "or add one beside them";
+    if (!limbs_merged_.empty())
+      text << (text.str().empty() ? "" : "; ") << "the cages of " << pairs(limbs_merged_)
+           << " run into each other and were made one there: move or turn these slides, or add one beside them, to "
+              "keep them apart";
     return text.str();
   }
 
-  std::string pairs_in_conflict() const {
+  std::string pairs(const std::set<std::pair<int, int>>& all) const {
     std::string text;
-    for (const auto& [a, b] : too_near_.conflicts)
+    for (const auto& [a, b] : all)
       text += (text.empty() ? "" : "; ") + ("the limbs at " + quoted({a}, names_)) + " and " + quoted({b}, names_);
     return text;
   }
@@ -218,10 +306,11 @@ class Enclosing {
   SectionShape shape_;
   std::vector<int> owners_;
   VertexNeighbours neighbours_;
-  bool rounds_;                    // to floats in the end
-  double gap_, wanted_;            // model units
-  TooNear too_near_;               // in the end
-  std::vector<double> clearance_;  // of each cage triangle: what it keeps
+  bool rounds_;                                 // to floats in the end
+  double gap_, wanted_;                         // model units
+  TooNear too_near_;                            // in the end
+  std::vector<double> clearance_;               // of each cage triangle: what it keeps
+  std::set<std::pair<int, int>> limbs_merged_;  // slides
   Enclosure result_;
 };
 

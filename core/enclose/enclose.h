@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,10 @@ struct EncloseOptions {
   double delta = 0;  // clearance: the least distance from model to cage, as a fraction of the diagonal
   // Section corners stay in their slides' planes, and the angles of the sections within corner_angle of a right angle.
   bool in_plane = true;
-  bool tighten = true;       // take volume off again while the cage keeps its certificate
+  bool tighten = true;  // take volume off again while the cage keeps its certificate
+  // Where nothing else encloses the model, or keeps the clearance: limbs whose walls run into each other become one
+  // (merge_limbs.h).
+  bool merge = true;
   unsigned threads = 0;      // 0: all
   double corner_angle = 15;  // degrees
   // The points are floats in the end, as files hold them, and so certified; but for models that floats do not hold: too
@@ -22,7 +26,7 @@ struct EncloseOptions {
 };
 
 struct Enclosure {
-  Points points;             // of the cage; its triangles are those that were given
+  Points points;             // of the cage; its triangles are those that were given, or those of `merged`
   Certificate certificate;   // of the model as it was given
   bool keeps_delta = false;  // no triangle is nearer to the model than the clearance (in floating point)
   int pushes = 0;            // steps of push_out
@@ -32,13 +36,16 @@ struct Enclosure {
   double first_volume = 0;  // of the cage before it was tightened, model units cubed
   // Where sections were to stay in plane: those that could not, so that the cage encloses the model all the same.
   std::vector<int> sections_off_plane;
-  double least_distance = 0;   // kept from the model everywhere, at most the clearance asked for, model units
-  double most_off_square = 0;  // of a section's angle from a right angle where sections stay in plane, degrees
+  std::optional<Cage> merged;        // where limbs were made one: the cage, with its points
+  std::vector<int> sections_merged;  // those that lost corners by that; not among sections_off_plane
+  double least_distance = 0;         // kept from the model everywhere, at most the clearance asked for, model units
+  double most_off_square = 0;        // of a section's angle from a right angle where sections stay in plane, degrees
 };
 
 // Moves the vertices of a refined cage until it bounds the model, exactly, and then takes off what volume it can:
-// start.h, push_out.h, tighten.h. Ends with the certificate of whatever was reached; never claims more. `model` is
-// what segmentation.cut was cut from. Same bits for any number of threads. Throws Error(cancelled). Thread-safe.
+// start.h, push_out.h, tighten.h; where that fails, and only there, merge_limbs.h. Ends with the certificate of
+// whatever was reached; never claims more. `model` is what segmentation.cut was cut from. Same bits for any number of
+// threads. Throws Error(cancelled). Thread-safe.
 Enclosure enclose(const Model& model, const Segmentation& segmentation, const std::vector<SectionFrame>& sections,
                   const Cage& cage, const std::vector<std::string>& names, const EncloseOptions& options,
                   const Progress& progress = {});

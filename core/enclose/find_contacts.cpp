@@ -93,6 +93,7 @@ Contacts model_contacts(const MovableCage& movable, const std::vector<int>& owne
     return std::binary_search(all.begin(), all.end(), k);
   };
   movable.visit_near(t, reach, [&](int k) {
+    if (query.own_only && !movable.is_own(t, k)) return false;
     const Triangle3 corners = triangle_of(model, k);
     for (int i = 0; i < 3; ++i) {
       const auto v = static_cast<std::size_t>(model.triangles(k, i));
@@ -191,7 +192,7 @@ Contacts find_contacts(const MovableCage& movable, const std::vector<int>& verte
   parallel_for(count, query.threads, [&](std::size_t t) {
     of_triangle[t] = model_contacts(movable, vertex_owner, static_cast<int>(t), query);
     CagePairs pairs(movable, query);
-    pairs.find(static_cast<int>(t));
+    if (!query.own_only) pairs.find(static_cast<int>(t));
     of_triangle[t].insert(of_triangle[t].end(), pairs.found.begin(), pairs.found.end());
   });
   Contacts all;

@@ -18,6 +18,7 @@ struct ContactQuery {
   const std::vector<char>* outside = nullptr;
   const std::vector<std::vector<int>>* meeting = nullptr;
   unsigned threads = 0;
+  bool own_only = false;  // no other parts' model, and no cage triangles
 };
 
 // What a step may run into, to first order in it: the model's vertices near cage triangles (in each of a few fields of

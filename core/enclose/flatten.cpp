@@ -31,12 +31,17 @@ void place_or_release(MovableCage& movable, SectionShape& shape, const SectionSh
   Points target = movable.points();
   shape.put_in_shape(target);
   std::vector<std::pair<double, int>> order;
-  for (int k = 0; k < shape.section_count(); ++k)
-    order.emplace_back((target - movable.points()).middleRows(4 * k, 4).rowwise().norm().maxCoeff(), k);
+  for (int k = 0; k < shape.section_count(); ++k) {
+    if (!shape.is_whole(k)) continue;
+    double farthest = 0;
+    for (int i = 0; i < 4; ++i)
+      farthest = std::max(farthest, (target - movable.points()).row(shape.corner(k, i)).norm());
+    order.emplace_back(farthest, k);
+  }
   std::sort(order.begin(), order.end());
   for (const auto& [distance, k] : order) {
     Points next = movable.points();
-    next.middleRows(4 * k, 4) = target.middleRows(4 * k, 4);
+    for (int i = 0; i < 4; ++i) next.row(shape.corner(k, i)) = target.row(shape.corner(k, i));
     if (!shape.is_sound(k, next) || !place_if_allowed(movable, free_shape, guard, next)) shape.release(k);
   }
 }

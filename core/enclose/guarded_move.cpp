@@ -21,7 +21,8 @@ struct Objection {
 Objection objection_to(const MovableCage& movable, const Guard& guard, int t) {
   if (guard.exempt[static_cast<std::size_t>(t)]) return {};
   if (is_degenerate(movable.triangle(t))) return {true, -1, -1};
-  if (const int other = movable.hit_of_cage(t, guard.gap); other >= 0) return {true, -1, other};
+  if (!guard.through_cage)
+    if (const int other = movable.hit_of_cage(t, guard.gap); other >= 0) return {true, -1, other};
   const int k = movable.hit_of_model(t, guard.whose, guard.clearance[static_cast<std::size_t>(t)]);
   return {k >= 0, k, -1};
 }
@@ -107,7 +108,7 @@ class Moving {
     }
     for (int k = 0; k < shape_.section_count(); ++k)
       if (!shape_.is_sound(k, movable_.points()))
-        for (int i = 0; i < 4; ++i) shorten_vertex(4 * k + i, changed);
+        for (int i = 0; i < 4; ++i) shorten_vertex(shape_.corner(k, i), changed);
     return changed;
   }
 
@@ -185,7 +186,7 @@ class Obstacles {
   }
   void look(int t, Contacts& contacts) {
     const auto i = static_cast<std::size_t>(t);
-    is_clear_[i] = !is_degenerate(movable_.triangle(t)) && !movable_.hits_cage(t, guard_.gap);
+    is_clear_[i] = !is_degenerate(movable_.triangle(t)) && (guard_.through_cage || !movable_.hits_cage(t, guard_.gap));
     movable_.visit_hits(t, guard_.whose, guard_.clearance[i], [&](int k) {
       add_contacts_of_hit(movable_, from_, t, k, guard_.clearance[i] + slack_, contacts);
       is_clear_[i] = 0;

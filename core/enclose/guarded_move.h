@@ -17,6 +17,7 @@ struct Guard {
   double gap = 0;                 // between cage triangles without a common vertex
   std::vector<char> exempt;       // of each cage triangle
   unsigned threads = 0;
+  bool through_cage = false;  // cage triangles may meet each other
 };
 
 // Of each cage triangle whether the guard objects to it as it is. O(triangles * log n + triangles^2).

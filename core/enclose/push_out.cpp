@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/enclose/find_contacts.h"
+#include "core/enclose/own_outside.h"
 #include "core/enclose/solve_step.h"
 #include "core/enclose/triangle_distance.h"
 #include "core/error/error.h"
@@ -127,7 +128,7 @@ long amount_missing(const Outside& outside) {
 std::vector<std::pair<int, int>> find_too_near(const MovableCage& movable, const PushOptions& options) {
   std::vector<std::vector<std::pair<int, int>>> found(static_cast<std::size_t>(movable.triangle_count()));
   parallel_for(found.size(), options.threads, [&](std::size_t t) {
-    movable.visit_hits(static_cast<int>(t), Whose::any, options.clearance, [&](int k) {
+    movable.visit_hits(static_cast<int>(t), options.own_only ? Whose::own : Whose::any, options.clearance, [&](int k) {
       found[t].emplace_back(static_cast<int>(t), k);
       return false;
     });
@@ -143,7 +144,8 @@ std::vector<std::pair<int, int>> find_too_near(const MovableCage& movable, const
 int push_out(MovableCage& movable, const SectionShape& shape, const VertexNeighbours& neighbours,
              const std::vector<int>& vertex_owners, const PushOptions& options, const Progress& progress) {
   const auto count = static_cast<std::size_t>(movable.triangle_count());
-  Guard guard{options.guarded, std::vector<double>(count, options.gap), options.gap, {}, options.threads};
+  Guard guard{options.guarded, std::vector<double>(count, options.gap), options.gap, {}, options.threads,
+              options.own_only};
   StepProblem problem;
   problem.pull = Points::Zero(movable.vertex_count(), 3);
   problem.mobility.assign(static_cast<std::size_t>(movable.vertex_count()), 1);
@@ -154,7 +156,8 @@ int push_out(MovableCage& movable, const SectionShape& shape, const VertexNeighb
   for (int step = 0; step < options.most; ++step) {
     if (progress && !progress(static_cast<double>(step) / options.most))
       throw Error(ErrorCode::cancelled, "cancelled while the cage was pushed out");
-    const Outside outside = find_outside(movable, neighbours, options.gap, options.threads);
+    const Outside outside = options.own_only ? find_own_outside(movable, neighbours, options.gap, options.threads)
+                                             : find_outside(movable, neighbours, options.gap, options.threads);
     std::vector<std::pair<int, int>> too_near = find_too_near(movable, options);
     if (outside.none && too_near.empty()) return step;
     if (const long missing = amount_missing(outside) + static_cast<long>(too_near.size()); missing < fewest) {
@@ -170,7 +173,8 @@ int push_out(MovableCage& movable, const SectionShape& shape, const VertexNeighb
                        std::move(too_near),
                        &outside.vertices,
                        &outside.meeting,
-                       options.threads};
+                       options.threads,
+                       options.own_only};
     // What has to be comes last: the solver then gives it the last word.
     Contacts contacts = Pushing(movable, options, margin).inward(outside, neighbours);
     Contacts others = find_contacts(movable, vertex_owners, query);

@@ -15,6 +15,8 @@ struct PushOptions {
   unsigned threads = 0;
   // Whose model stays out of the way of cage triangles at every step; any: what is enclosed at first stays so.
   MovableCage::Whose guarded = MovableCage::Whose::others;
+  // Walls bound their own part's model only, and pass through others' and each other.
+  bool own_only = false;
 };
 
 // Pushes the cage out until the whole model is inside, at the clearance. Each step is the smallest one that takes every

@@ -20,21 +20,27 @@ SectionShape::SectionShape(const Cage& cage, const std::vector<SectionFrame>& se
       most_off_(most_off),
       sections_of_(cage.vertex_section),
       normals_(Points::Zero(cage.points.rows(), 3)) {
+  for (int k = 0; k < section_count(); ++k) {
+    corners_.push_back(cage.has_whole(k) ? cage.corners_of(k) : std::array<int, 4>{-1, -1, -1, -1});
+    if (!is_whole(k)) is_released_[static_cast<std::size_t>(k)] = 1;
+  }
   if (!in_plane) return;
   for (std::size_t v = 0; v < sections_of_.size(); ++v)
-    if (const int k = sections_of_[v]; k >= 0)
+    if (const int k = sections_of_[v]; k >= 0 && !is_released(k))
       normals_.row(static_cast<Eigen::Index>(v)) = sections[static_cast<std::size_t>(k)].normal.transpose();
 }
 
 void SectionShape::release(int section) {
   is_released_[static_cast<std::size_t>(section)] = 1;
-  normals_.middleRows(4 * section, 4).setZero();
+  if (!is_whole(section)) return;
+  for (int i = 0; i < 4; ++i) normals_.row(corner(section, i)).setZero();
 }
 
 void SectionShape::hold(int section) {
+  if (!is_whole(section)) return;
   const auto k = static_cast<std::size_t>(section);
   is_released_[k] = 0;
-  for (int i = 0; i < 4; ++i) normals_.row(4 * section + i) = sections_[k].normal.transpose();
+  for (int i = 0; i < 4; ++i) normals_.row(corner(section, i)) = sections_[k].normal.transpose();
 }
 
 void SectionShape::put_in_plane(Points& points) const {
@@ -55,9 +61,9 @@ std::array<double, 4> SectionShape::angles(int section, const Points& points) co
   const Vector3 n = sections_[static_cast<std::size_t>(section)].normal;
   std::array<double, 4> result{};
   for (int i = 0; i < 4; ++i) {
-    const Vector3 corner = points.row(4 * section + i);
-    const Vector3 next = points.row(4 * section + (i + 1) % 4).transpose() - corner;
-    const Vector3 last = points.row(4 * section + (i + 3) % 4).transpose() - corner;
+    const Vector3 here = points.row(corner(section, i));
+    const Vector3 next = points.row(corner(section, (i + 1) % 4)).transpose() - here;
+    const Vector3 last = points.row(corner(section, (i + 3) % 4)).transpose() - here;
     result[static_cast<std::size_t>(i)] = std::atan2(n.dot(next.cross(last)), next.dot(last));
   }
   return result;
@@ -85,14 +91,14 @@ void SectionShape::put_in_shape(Points& points) const {
     const SectionFrame& section = sections_[static_cast<std::size_t>(k)];
     const Vector3 p = section.p.normalized(), q = section.q.normalized();
     const auto mean = [&](const Vector3& axis, int i, int j) {
-      return axis.dot((points.row(4 * k + i) + points.row(4 * k + j)).transpose() / 2 - section.center);
+      return axis.dot((points.row(corner(k, i)) + points.row(corner(k, j))).transpose() / 2 - section.center);
     };
     const double most_p = mean(p, 0, 3), least_p = mean(p, 1, 2), most_q = mean(q, 0, 1), least_q = mean(q, 2, 3);
-    const auto corner = [&](double a, double b) { return (section.center + a * p + b * q).transpose(); };
-    points.row(4 * k) = corner(most_p, most_q);
-    points.row(4 * k + 1) = corner(least_p, most_q);
-    points.row(4 * k + 2) = corner(least_p, least_q);
-    points.row(4 * k + 3) = corner(most_p, least_q);
+    const auto at = [&](double a, double b) { return (section.center + a * p + b * q).transpose(); };
+    points.row(corner(k, 0)) = at(most_p, most_q);
+    points.row(corner(k, 1)) = at(least_p, most_q);
+    points.row(corner(k, 2)) = at(least_p, least_q);
+    points.row(corner(k, 3)) = at(most_p, least_q);
   }
 }
 
@@ -102,7 +108,7 @@ void SectionShape::add_contacts(const Points& points, Contacts& contacts) const 
     const Vector3 n = sections_[static_cast<std::size_t>(k)].normal;
     const std::array<double, 4> all = angles(k, points);
     for (int i = 0; i < 4; ++i) {
-      const int here = 4 * k + i, after = 4 * k + (i + 1) % 4, before = 4 * k + (i + 3) % 4;
+      const int here = corner(k, i), after = corner(k, (i + 1) % 4), before = corner(k, (i + 3) % 4);
       const Vector3 next = (points.row(after) - points.row(here)).transpose();
       const Vector3 last = (points.row(before) - points.row(here)).transpose();
       const double length = std::min(next.norm(), last.norm());  // so that the condition is one on lengths

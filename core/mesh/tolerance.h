@@ -33,6 +33,7 @@ inline constexpr double contact_slack = 4e-6;            // what tightening leav
 inline constexpr double first_tightening_step = 1.2e-2;  // of a vertex; over the diagonal
 inline constexpr double least_tightening_step = 4e-4;    // shorter ones are not tried; over the diagonal
 inline constexpr double least_tightening = 1e-3;         // of the volume, by one step; less makes steps shorter
+inline constexpr double most_collapsed = 1e-3;           // of the volume, added or taken by one collapse of an edge
 inline constexpr double diverged = 10.0;     // a cage vertex farther than this from the model's box has flown
 inline constexpr double mirror = 1e-3;       // mean distance of a symmetric model from its mirror image
 inline constexpr double same_mirror = 0.99;  // cosine between normals of mirror planes that are one

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,18 @@ struct Cage {
   std::vector<int> vertex_section;   // of each point: section k, or -1 (a cap's or a box's corner)
   std::vector<int> triangle_part;    // of each triangle
   std::vector<Vector3> part_center;  // of each part: the projection centre that sees all of its sections from inside
+  // Where limbs were made one (core/enclose/merge_limbs.h): of each section the rows of its corners, -1 for those that
+  // are gone; row 4 k + i then says nothing. Else empty.
+  std::vector<std::array<int, 4>> section_vertices;
+
+  std::array<int, 4> corners_of(int section) const {
+    if (section_vertices.empty()) return {4 * section, 4 * section + 1, 4 * section + 2, 4 * section + 3};
+    return section_vertices[static_cast<std::size_t>(section)];
+  }
+  bool has_whole(int section) const {
+    const std::array<int, 4> rows = corners_of(section);
+    return *std::min_element(rows.begin(), rows.end()) >= 0;
+  }
 };
 
 // Meshes every part between its sections (paper 3.3) and joins them: a leaf gets a rectangular cap, a part without

@@ -84,7 +84,10 @@ PipelineResult make_cage(const Model& model, const std::vector<Slide>& slides, c
   if (encloses) {
     result.enclosure = enclose(model, result.segmentation, result.sections, *result.cage, names, options.enclose,
                                part_of_progress(refine_end, 1, Stage::enclose));
-    result.cage->points = result.enclosure->points;
+    if (result.enclosure->merged)
+      result.cage = result.enclosure->merged;
+    else
+      result.cage->points = result.enclosure->points;
     result.enclose_ms = watch.lap_ms();
     result.last_stage = Stage::enclose;
   }
