@@ -12,6 +12,7 @@
 #include "core/enclose/clearance.h"
 #include "core/enclose/find_contacts.h"
 #include "core/enclose/flatten.h"
+#include "core/enclose/grow_through.h"
 #include "core/enclose/merge_limbs.h"
 #include "core/enclose/push_out.h"
 #include "core/enclose/start.h"
@@ -70,11 +71,13 @@ class Enclosing {
   Enclosure run(const Progress& progress) {
     bool is_clear = begin(shape_, part_of(progress, 0, push_share));
     if (!is_clear && options_.in_plane) is_clear = begin_free(part_of(progress, push_share, free_share));
+    const Points enclosing = is_clear ? movable_.points() : cage_.points;
+    const SectionShape shape = shape_;
     if (is_clear) keep(part_of(progress, free_share, clearance_share));
     double done = is_clear ? clearance_share : free_share;
     if (options_.merge && (!is_clear || lacks_clearance())) {
       const double begin = std::exchange(done, merge_share);
-      if (auto merged = merge(is_clear, part_of(progress, begin, done))) return std::move(*merged);
+      if (auto merged = merge(is_clear, enclosing, shape, part_of(progress, begin, done))) return std::move(*merged);
     }
     finish(is_clear, part_of(progress, done, 1));
     return std::move(result_);
@@ -124,14 +127,22 @@ class Enclosing {
     return options_.delta > 0 && *std::min_element(clearance_.begin(), clearance_.end()) < wanted_;
   }
 
-  // The cage with limbs made one, where that encloses the model and, unless nothing else does, keeps the clearance.
-  std::optional<Enclosure> merge(bool is_clear, const Progress& progress) {
+  // The cage with limbs made one, where that encloses the model and, unless nothing else does, keeps the clearance;
+  // in plane, if that will do. It begins from `from`, which encloses the model where `is_clear`.
+  std::optional<Enclosure> merge(bool is_clear, const Points& from, const SectionShape& shape,
+                                 const Progress& progress) {
     const Points before = movable_.points();
+    const SectionShape free(cage_, sections_, false, 0);
     std::optional<Enclosure> result;
-    for (const bool in_plane : {true, false}) {
-      if (result || (in_plane && !options_.in_plane)) continue;
-      const double begin = in_plane ? 0 : 0.5;
-      const MergedLimbs limbs = run_through(in_plane, part_of(progress, begin, begin + 0.2));
+    for (const SectionShape* held : {&shape, &free}) {
+      if (result || (held == &shape && !options_.in_plane)) continue;
+      const double begin = held == &shape ? 0 : 0.5;
+      Points points = from;
+      held->put_in_shape(points);
+      movable_.place_all(points);
+      result_.pushes += grow_through(movable_, *held, neighbours_, owners_, options_of_push(wanted_ + gap_ / 2),
+                                     part_of(progress, begin, begin + 0.2));
+      const MergedLimbs limbs = merge_limbs(movable_, {wanted_, gap_, rounds_});
       if (limbs.cage.triangles.rows() == 0) continue;
       Enclosing merged(model_, movable_.segmentation(), sections_, limbs.cage, names_, options_);
       merged.finish_merged(limbs.slides, result_.pushes, part_of(progress, begin + 0.2, begin + 0.5));
@@ -140,26 +151,6 @@ class Enclosing {
     }
     movable_.place_all(before);
     return result;
-  }
-
-  // Walls go out until each bounds its own part's model, through whatever else is there; then limbs become one.
-  MergedLimbs run_through(bool in_plane, const Progress& progress) {
-    const SectionShape shape(cage_, sections_, in_plane, options_.corner_angle * degree);
-    Points points = cage_.points;
-    shape.put_in_shape(points);
-    movable_.place_all(points);
-    PushOptions push = options_of_push(gap_);
-    push.own_only = true;
-    push.guarded = Whose::nobody;
-    result_.pushes += push_out(movable_, shape, neighbours_, owners_, push, part_of(progress, 0, 0.5));
-    constexpr int stages = 4;
-    for (int stage = 1; stage <= stages && wanted_ > gap_; ++stage) {
-      push = options_of_push(gap_ + (wanted_ + gap_ / 2 - gap_) * stage / stages);
-      push.own_only = true;
-      push.guarded = Whose::own;
-      result_.pushes += push_out(movable_, shape, neighbours_, owners_, push, {});
-    }
-    return merge_limbs(movable_, {wanted_, gap_, rounds_});
   }
 
   void finish_merged(const std::set<std::pair<int, int>>& limbs, int pushes, const Progress& progress) {
