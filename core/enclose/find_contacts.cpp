@@ -93,7 +93,7 @@ Contacts model_contacts(const MovableCage& movable, const std::vector<int>& owne
     return std::binary_search(all.begin(), all.end(), k);
   };
   movable.visit_near(t, reach, [&](int k) {
-    if (query.own_only && !movable.is_own(t, k)) return false;
+    if (query.own_only && !movable.is_of_part(t, k)) return false;
     const Triangle3 corners = triangle_of(model, k);
     for (int i = 0; i < 3; ++i) {
       const auto v = static_cast<std::size_t>(model.triangles(k, i));

@@ -8,6 +8,17 @@ namespace {
 
 constexpr int stages = 4, most_at_stage = 12, patience_at_stage = 4;
 
+// Walls that cannot keep away from their model would be pushed on and on.
+void shorten(MovableCage& movable, const Points& from, double longest) {
+  Points points = movable.points();
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    const Vector3 step = points.row(v) - from.row(v);
+    if (const double length = step.norm(); length > longest)
+      points.row(v) = from.row(v) + longest / length * step.transpose();
+  }
+  movable.place_all(points);
+}
+
 }  // namespace
 
 int grow_through(MovableCage& movable, const SectionShape& shape, const VertexNeighbours& neighbours,
@@ -29,8 +40,10 @@ int grow_through(MovableCage& movable, const SectionShape& shape, const VertexNe
     Points points = movable.points() + offset_walls(movable, shape.plane_normals(), stride);
     shape.put_in_shape(points);
     movable.place_all(points);
+    const Points offset = points;
     push.clearance = options.gap + stage * stride;
     steps += push_out(movable, shape, neighbours, vertex_owners, push, part_of(stage));
+    shorten(movable, offset, stride);
   }
   return steps;
 }

@@ -53,6 +53,11 @@ class MovableCage {
   int hit_of_model(int t, Whose whose, double clearance) const;
   bool hits_model(int t, Whose whose, double clearance) const { return hit_of_model(t, whose, clearance) >= 0; }
   bool is_own(int t, int model_triangle) const;
+  // The same without what is beyond slides.
+  bool is_of_part(int t, int model_triangle) const {
+    return segmentation_.triangle_part[static_cast<std::size_t>(model_triangle)] ==
+           cage_.triangle_part[static_cast<std::size_t>(t)];
+  }
   // The parts on the other sides of the slides that a model triangle is near.
   std::span<const int> parts_beyond(int model_triangle) const;
 

@@ -55,7 +55,7 @@ void find_meeting(const MovableCage& movable, double gap, unsigned threads, Outs
   result.meeting.resize(static_cast<std::size_t>(movable.triangle_count()));
   parallel_for(result.meeting.size(), threads, [&](std::size_t t) {
     movable.visit_hits(static_cast<int>(t), Whose::own, gap, [&](int k) {
-      result.meeting[t].push_back(k);
+      if (movable.is_of_part(static_cast<int>(t), k)) result.meeting[t].push_back(k);
       return false;
     });
     std::sort(result.meeting[t].begin(), result.meeting[t].end());

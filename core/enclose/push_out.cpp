@@ -129,7 +129,8 @@ std::vector<std::pair<int, int>> find_too_near(const MovableCage& movable, const
   std::vector<std::vector<std::pair<int, int>>> found(static_cast<std::size_t>(movable.triangle_count()));
   parallel_for(found.size(), options.threads, [&](std::size_t t) {
     movable.visit_hits(static_cast<int>(t), options.own_only ? Whose::own : Whose::any, options.clearance, [&](int k) {
-      found[t].emplace_back(static_cast<int>(t), k);
+      if (!options.own_only || movable.is_of_part(static_cast<int>(t), k))
+        found[t].emplace_back(static_cast<int>(t), k);
       return false;
     });
     std::sort(found[t].begin(), found[t].end());
