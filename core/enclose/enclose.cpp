@@ -153,7 +153,7 @@ class Enclosing {
     return result;
   }
 
-  void finish_merged(const std::set<std::pair<int, int>>& limbs, int pushes, const Progress& progress) {
+  void finish_merged(const std::vector<std::pair<int, int>>& limbs, int pushes, const Progress& progress) {
     limbs_merged_ = limbs;
     result_.pushes = pushes;
     for (int k = 0; k < shape_.section_count(); ++k)
@@ -246,7 +246,8 @@ class Enclosing {
            << "it does not it keeps " << result_.least_distance / model_.diagonal << " of the diagonal: ask for less "
            << "(refine.delta), or move limbs apart or add slides where they are close to each other, near "
            << quoted(too_near_.slides, names_);
-    if (!too_near_.conflicts.empty()) text << "; in each other's way may be " << pairs(too_near_.conflicts);
+    if (!too_near_.conflicts.empty())
+      text << "; in each other's way may be " << pairs(too_near_.conflicts, too_near_.conflicts.size());
     const std::set<int> released(result_.sections_off_plane.begin(), result_.sections_off_plane.end());
     if (!released.empty())
       text << (is_near ? "; " : "") << "the cage encloses the model, but the sections of the slides "
@@ -254,17 +255,21 @@ class Enclosing {
            << " could not stay in their planes and near to square: move or turn these slides, "
            << "or add one beside them";
     if (!limbs_merged_.empty())
-      text << (text.str().empty() ? "" : "; ") << "the cages of " << pairs(limbs_merged_)
+      text << (text.str().empty() ? "" : "; ") << "the cages of " << pairs(limbs_merged_, most_named)
            << " run into each other and were made one there: move or turn these slides, or add one beside them, to "
               "keep them apart";
     return text.str();
   }
 
-  std::string pairs(const std::set<std::pair<int, int>>& all) const {
+  template <class Pairs>
+  std::string pairs(const Pairs& all, std::size_t most) const {
     std::string text;
-    for (const auto& [a, b] : all)
+    std::size_t count = 0;
+    for (const auto& [a, b] : all) {
+      if (count++ == most) break;
       text += (text.empty() ? "" : "; ") + ("the limbs at " + quoted({a}, names_)) + " and " + quoted({b}, names_);
-    return text;
+    }
+    return text + (all.size() > most ? "; and others" : "");
   }
 
   std::string shortfall() const {
@@ -286,6 +291,7 @@ class Enclosing {
     return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
+  static constexpr std::size_t most_named = 3;  // pairs of limbs made one
   static constexpr int most_pushes = 60, most_pushes_in_plane = 24, patience_in_plane = 8;
 
   const Model& model_;
@@ -297,11 +303,11 @@ class Enclosing {
   SectionShape shape_;
   std::vector<int> owners_;
   VertexNeighbours neighbours_;
-  bool rounds_;                                 // to floats in the end
-  double gap_, wanted_;                         // model units
-  TooNear too_near_;                            // in the end
-  std::vector<double> clearance_;               // of each cage triangle: what it keeps
-  std::set<std::pair<int, int>> limbs_merged_;  // slides
+  bool rounds_;                                    // to floats in the end
+  double gap_, wanted_;                            // model units
+  TooNear too_near_;                               // in the end
+  std::vector<double> clearance_;                  // of each cage triangle: what it keeps
+  std::vector<std::pair<int, int>> limbs_merged_;  // slides
   Enclosure result_;
 };
 

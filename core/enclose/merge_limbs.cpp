@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "core/enclose/disjoint_sets.h"
 #include "core/enclose/outer_hull.h"
@@ -104,6 +105,7 @@ class Merging {
 
   // Where triangles are neighbours now that had no vertex in common.
   void find_seams() {
+    std::map<std::pair<int, int>, double> lengths;
     std::map<std::pair<int, int>, int> owner;
     const Triangles& triangles = hull_.mesh.triangles;
     for (int t = 0; t < static_cast<int>(triangles.rows()); ++t)
@@ -118,8 +120,12 @@ class Merging {
       if (shares) continue;
       const Vector3 middle = (hull_.mesh.points.row(edge.first) + hull_.mesh.points.row(edge.second)).transpose() / 2;
       const int a = nearest_slide(part_of(s), middle), b = nearest_slide(part_of(u), middle);
-      if (a >= 0 && b >= 0 && a != b) result_.slides.emplace(std::min(a, b), std::max(a, b));
+      if (a >= 0 && b >= 0 && a != b)
+        lengths[std::minmax(a, b)] += (hull_.mesh.points.row(edge.first) - hull_.mesh.points.row(edge.second)).norm();
     }
+    for (const auto& [slides, length] : lengths) result_.slides.push_back(slides);
+    std::stable_sort(result_.slides.begin(), result_.slides.end(),
+                     [&](const auto& a, const auto& b) { return lengths.at(a) > lengths.at(b); });
   }
 
   int nearest_slide(int part, const Vector3& place) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <set>
 #include <utility>
+#include <vector>
 
 #include "core/enclose/movable_cage.h"
 
@@ -15,8 +15,8 @@ struct MergeOptions {
 };
 
 struct MergedLimbs {
-  Cage cage;                             // section_vertices is set; without triangles where nothing is left
-  std::set<std::pair<int, int>> slides;  // of limbs that became one, those nearest to where, the lower first
+  Cage cage;                                // section_vertices is set; without triangles where nothing is left
+  std::vector<std::pair<int, int>> slides;  // nearest to where limbs became one, the lower first; longest seams first
 };
 
 // Makes one of limbs whose walls run into each other: the outer hull of the cage (outer_hull.h), without the pieces in

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 #include "core/mesh/tolerance.h"
@@ -17,6 +18,12 @@ constexpr double right_angle = std::numbers::pi / 2;
 
 double angle_round(const Vector3& normal, const Vector3& from, const Vector3& to) {
   return std::atan2(normal.dot(from.cross(to)), from.dot(to));
+}
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool is_whole(const PlacedSection& section) {
+  return std::all_of(section.corners.begin(), section.corners.end(), [](const Vector3& c) { return c.allFinite(); });
 }
 
 // To the nearest of four directions.
@@ -67,7 +74,10 @@ double twist_between(const PlacedSection& k, const PlacedSection& h) {
 }
 
 double largest(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  double most = 0;
+  for (const double value : values)
+    if (value > most) most = value;  // not NaN
+  return most;
 }
 
 }  // namespace
@@ -76,13 +86,13 @@ double SectionQuality::worst_squareness() const { return largest(squareness); }
 double SectionQuality::worst_planarity() const { return largest(planarity); }
 double SectionQuality::worst_twist() const { return largest(twist); }
 
-std::vector<PlacedSection> place_sections(const std::vector<SectionFrame>& frames, const Points& cage_points) {
+std::vector<PlacedSection> place_sections(const std::vector<SectionFrame>& frames, const Cage& cage) {
   std::vector<PlacedSection> sections;
   for (const SectionFrame& frame : frames) {
-    const Eigen::Index first = static_cast<Eigen::Index>(4 * sections.size());
+    const std::array<int, 4> rows = cage.corners_of(static_cast<int>(sections.size()));
     PlacedSection section{{}, frame.center, frame.normal};
     for (std::size_t i = 0; i < 4; ++i)
-      section.corners[i] = cage_points.row(first + static_cast<Eigen::Index>(i)).transpose();
+      section.corners[i] = rows[i] < 0 ? Vector3(Vector3::Constant(unknown)) : Vector3(cage.points.row(rows[i]));
     sections.push_back(section);
   }
   return sections;
@@ -92,12 +102,13 @@ SectionQuality measure_sections(const std::vector<PlacedSection>& sections, cons
                                 double diagonal) {
   SectionQuality quality;
   for (const PlacedSection& section : sections) {
-    quality.squareness.push_back(squareness_of(section));
-    quality.planarity.push_back(planarity_of(section) / diagonal);
+    quality.squareness.push_back(is_whole(section) ? squareness_of(section) : unknown);
+    quality.planarity.push_back(is_whole(section) ? planarity_of(section) / diagonal : unknown);
   }
-  for (const auto& [k, h] : neighbours)
-    quality.twist.push_back(
-        twist_between(sections[static_cast<std::size_t>(k)], sections[static_cast<std::size_t>(h)]));
+  for (const auto& [k, h] : neighbours) {
+    const PlacedSection &a = sections[static_cast<std::size_t>(k)], &b = sections[static_cast<std::size_t>(h)];
+    quality.twist.push_back(is_whole(a) && is_whole(b) ? twist_between(a, b) : unknown);
+  }
   return quality;
 }
 

@@ -4,21 +4,21 @@
 #include <array>
 #include <vector>
 
-#include "core/orient/orient.h"
+#include "core/meshing/meshing.h"
 
 namespace cagewright {
 
 // A cage's cross section as it came out: four corners, counter-clockwise round the slide's normal, and that slide's
-// plane.
+// plane. NaN: a corner that is gone (Cage::section_vertices).
 struct PlacedSection {
   std::array<Vector3, 4> corners;
   Vector3 center, normal;  // normal: unit
 };
 
-// The sections of a cage by its first 4 * frames.size() points, as mesh_cage orders them.
-std::vector<PlacedSection> place_sections(const std::vector<SectionFrame>& frames, const Points& cage_points);
+// The sections of a cage.
+std::vector<PlacedSection> place_sections(const std::vector<SectionFrame>& frames, const Cage& cage);
 
-// What the paper asks of sections in 3.2, as numbers: 0 is perfect for all of them.
+// What the paper asks of sections in 3.2, as numbers: 0 is perfect for all of them; NaN where a section is not whole.
 struct SectionQuality {
   // Of each section: the largest difference of a corner's angle from a right one, radians. The angle is the inner one,
   // seen along the normal: more than pi where a corner turns inward. Two corners in one place: pi / 2.
@@ -32,7 +32,7 @@ struct SectionQuality {
   // mean, as 4th powers, of the directions of its first and its second pair of edges.
   std::vector<double> twist;
 
-  double worst_squareness() const;  // 0 where there is none; the same below
+  double worst_squareness() const;  // of those that are whole; 0 where there is none; the same below
   double worst_planarity() const;
   double worst_twist() const;
 };

@@ -184,7 +184,7 @@ TEST(SectionQuality, FindsTheSectionsOfACageAsMeshed) {
     options.last_stage = Stage::meshing;
     const PipelineResult result = make_cage(model, body.slides, options);
     const SectionQuality quality =
-        measure_sections(place_sections(result.sections, result.cage->points), {}, model.diagonal);
+        measure_sections(place_sections(result.sections, *result.cage), {}, model.diagonal);
     EXPECT_EQ(quality.squareness.size(), body.slides.size());
     EXPECT_LT(quality.worst_squareness(), 1e-12);
     EXPECT_LT(quality.worst_planarity(), 1e-14);

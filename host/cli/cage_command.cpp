@@ -123,7 +123,10 @@ class CageRun {
       input.slides.push_back({std::to_array(slide.info.center), std::to_array(slide.info.u),
                               std::to_array(slide.info.v), slide.info.status != CGW_OK});
     }
-    for (const cgw_section& section : session.sections()) input.sections.push_back(std::to_array(section.corners));
+    for (const cgw_section& section : session.sections()) {
+      if (std::ranges::find(section.cage_vertex, -1) != std::end(section.cage_vertex)) continue;  // merged away
+      input.sections.push_back(std::to_array(section.corners));
+    }
     const std::vector<std::uint8_t> png = render_picture(input, command_.picture_options);
     return {png.begin(), png.end()};
   }

@@ -122,8 +122,7 @@ const CageFigures& figures_of(const cgw_session& session) {
   figures.measures =
       measure_cage(model, cage, made.enclosure ? made.enclosure->certificate : certify(model, cage, results.threads),
                    results.threads);
-  figures.sections =
-      measure_sections(place_sections(made.sections, made.cage->points), made.neighbours, results.diagonal);
+  figures.sections = measure_sections(place_sections(made.sections, *made.cage), made.neighbours, results.diagonal);
   figures.neighbours = made.neighbours;
   return results.figures.emplace(std::move(figures));
 }

@@ -24,7 +24,8 @@ enum Index : std::size_t {
   enclose_mode,
   enclose_in_plane,
   enclose_corner_angle,
-  enclose_tighten
+  enclose_tighten,
+  enclose_merge
 };
 
 constexpr double default_lambda = PipelineOptions{}.lambda;
@@ -83,6 +84,9 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
     number(CGW_PARAM_BOOLEAN, "enclose.tighten", "Tighten",
            "Take volume off the enclosing cage again while its certificate holds", "", default_enclose.tighten ? 1 : 0,
            0, 1),
+    number(CGW_PARAM_BOOLEAN, "enclose.merge", "Merge limbs",
+           "Merge limbs whose cages run into each other, where nothing else encloses the model", "",
+           default_enclose.merge ? 1 : 0, 0, 1),
 };
 
 std::string to_text(double value) {
@@ -187,6 +191,7 @@ PipelineOptions Parameters::options(bool editing) const {
   options.enclose.in_plane = values_[enclose_in_plane] != 0;
   options.enclose.corner_angle = values_[enclose_corner_angle];
   options.enclose.tighten = values_[enclose_tighten] != 0;
+  options.enclose.merge = values_[enclose_merge] != 0;
   return options;
 }
 

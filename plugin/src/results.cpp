@@ -91,10 +91,10 @@ void read_section(const cgw_session& session, std::uint64_t index, cgw_section* 
     for (std::size_t i = 0; i < 4; ++i) copy_vector(corners[i], section.corners + 3 * i);
   }
   if (results.made.cage) {
+    const std::array<int, 4> rows = results.made.cage->corners_of(static_cast<int>(index));
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto row = static_cast<Eigen::Index>(4 * index + i);  // section corners come first in a cage
-      copy_vector(results.made.cage->points.row(row), section.corners + 3 * i);
-      section.cage_vertex[i] = static_cast<std::int32_t>(row);
+      section.cage_vertex[i] = rows[i];
+      if (rows[i] >= 0) copy_vector(results.made.cage->points.row(rows[i]), section.corners + 3 * i);
     }
   }
   write_struct(out, section, "cgw_section");

@@ -55,6 +55,7 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
   const cgw_solve_options asked = checked(given);
   PipelineOptions options = session.parameters.options(asked.editing == 1);
   options.enclose.tighten = options.enclose.tighten && asked.editing == 0;
+  options.enclose.merge = options.enclose.merge && asked.editing == 0;
   options.last_stage = static_cast<Stage>(asked.last_stage);
   if (options.last_stage >= Stage::enclose && options.certify) refine_for_enclosing(options);
   options.refine.threads = options.enclose.threads = std::min(thread_count(asked.threads), most_threads);

@@ -251,7 +251,8 @@ typedef struct cgw_slide_info {
 typedef struct cgw_solve_options {
   uint32_t struct_size;
   int32_t last_stage; /* CGW_STAGE_*: solve up to and with this one */
-  uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations, and no tightening */
+  uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations, and no tightening or
+                         merging */
   uint32_t threads;   /* 0: as many as the machine has; at most 256. Results are the same bits for any number. */
 } cgw_solve_options;
 #define CGW_SOLVE_OPTIONS_INIT \
@@ -306,7 +307,8 @@ typedef struct cgw_section {
   double x[2];            /* the minimiser of equation (1) for this slide, in the frame (u, v) of this struct; the 4th
                              power of p's direction is x / |x| */
   double corners[12];     /* 4 x 3: the section's corners in the cage as it is (refined, enclosing) */
-  int32_t cage_vertex[4]; /* rows of the corners in cgw_cage.vertices, or -1 before CGW_STAGE_MESHING */
+  int32_t cage_vertex[4]; /* rows of the corners in cgw_cage.vertices; -1 before CGW_STAGE_MESHING, and for a corner
+                             that is gone where limbs were merged (enclose.merge): corners then has it as oriented */
   double normal[3];       /* unit, along u x v */
   double u[3], v[3];      /* principal radii, |u| >= |v|; as the frame (u, v) of x: their directions */
 } cgw_section;
