@@ -44,8 +44,7 @@ void expect_same(const OuterHull& hull, const IndexedMesh& mesh) {
   EXPECT_EQ(hull.mesh.points, mesh.points);
   EXPECT_EQ(hull.mesh.triangles, mesh.triangles);
   EXPECT_TRUE(hull.touching.empty());
-  for (std::size_t t = 0; t < hull.triangle_source.size(); ++t)
-    EXPECT_EQ(hull.triangle_source[t], static_cast<int>(t));
+  for (std::size_t t = 0; t < hull.triangle_source.size(); ++t) EXPECT_EQ(hull.triangle_source[t], static_cast<int>(t));
   for (std::size_t v = 0; v < hull.vertex_source.size(); ++v) EXPECT_EQ(hull.vertex_source[v], static_cast<int>(v));
 }
 
@@ -134,19 +133,31 @@ TEST(OuterHull, SwallowsWhatLiesInside) {
   EXPECT_EQ(outer_hull(meshes::hollow_sphere(1)).mesh.triangles.rows(), 80);
 }
 
-TEST(OuterHull, FacesOutwardWhateverTheMeshDoes) {
+TEST(OuterHull, LeavesOutWhatIsTurnedInsideOut) {
   const IndexedMesh sphere = meshes::icosphere(1);
-  const OuterHull hull = outer_hull(meshes::inside_out(sphere));
-  EXPECT_NEAR(checks::volume_of(hull.mesh), checks::volume_of(sphere), 1e-12);
+  EXPECT_EQ(outer_hull(meshes::inside_out(sphere)).mesh.triangles.rows(), 0);
+  const IndexedMesh beside = meshes::together(sphere, meshes::moved(meshes::inside_out(sphere), 1, {3, 0, 0}));
+  expect_same(outer_hull(beside), sphere);
+  // A box that is pulled through its own bottom: what is turned over is gone, what is not stays.
+  IndexedMesh pulled = meshes::box({0, 0, 0}, {1, 1, 1});
+  const OuterHull hull = [&] {
+    for (Eigen::Index v = 0; v < 8; ++v)
+      if (pulled.points.row(v) == Eigen::RowVector3d(0, 0, 1)) pulled.points(v, 2) = -1;
+    return outer_hull(pulled);
+  }();
+  expect_sound(hull.mesh);
+  EXPECT_TRUE(hull.touching.empty());
+  EXPECT_GT(checks::volume_of(hull.mesh), checks::volume_of(pulled));
 }
 
 TEST(OuterHull, OfTwoBarsThatCrossHasNoNeedlessTriangles) {
-  const IndexedMesh bars = boxes_of({Box(Vector3(-3, -1, -1), Vector3(3, 1, 1)),
-                                     Box(Vector3(-0.5, -3, -0.5), Vector3(0.5, 3, 0.5))});
+  const IndexedMesh bars =
+      boxes_of({Box(Vector3(-3, -1, -1), Vector3(3, 1, 1)), Box(Vector3(-0.5, -3, -0.5), Vector3(0.5, 3, 0.5))});
   const OuterHull hull = outer_hull(bars);
   expect_sound(hull.mesh);
-  EXPECT_DOUBLE_EQ(checks::volume_of(hull.mesh), 24 + 4);
-  EXPECT_EQ(hull.mesh.points.rows(), 16 + 8);  // each bar's corners, and two squares where they cross
+  EXPECT_NEAR(checks::volume_of(hull.mesh), 24 + 4, 1e-12);
+  // Each bar's corners, and where they cross two squares, whose sides the diagonals of the sides cut in two.
+  EXPECT_EQ(hull.mesh.points.rows(), 16 + 8 + 8);
   checks::expect_closed_manifold(hull.mesh.points, hull.mesh.triangles, 0);
   for (Eigen::Index v = 0; v < 16; ++v) EXPECT_EQ(hull.mesh.points.row(v), bars.points.row(v));
 }
