@@ -117,14 +117,15 @@ class Surface {
     for_borders([&](int edge) {
       if (!result_.stays[static_cast<std::size_t>(vertex(edge))]) return;
       const int source = face(edge / 3).source;
-      int last = edge;
+      int last = edge, id = std::min(edge, partner(edge));
       while (!result_.stays[static_cast<std::size_t>(vertex(next(last)))]) {
         const auto found = onward.find({source, vertex(next(last))});
         if (found == onward.end()) throw Error(ErrorCode::internal, "hull: a border ends");
         last = found->second;
+        id = std::min({id, last, partner(last)});
       }
       result_.borders[static_cast<std::size_t>(source)].push_back(
-          {point(edge), point(next(last)), vertex(edge), vertex(next(last)),
+          {point(edge), point(next(last)), vertex(edge), vertex(next(last)), id,
            sides_.faces[static_cast<std::size_t>(edge / 3)] == Kept::turned});
     });
   }

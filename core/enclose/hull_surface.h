@@ -13,6 +13,7 @@ namespace cagewright {
 struct HullEdge {
   int from = 0, to = 0;                // points, as the source on its left runs
   int from_vertex = 0, to_vertex = 0;  // of the surface
+  int id = 0;                          // the same for the two sources that it parts
   bool is_turned = false;              // the source on its left faces inward as it runs
 };
 

@@ -18,6 +18,16 @@
 namespace cagewright {
 namespace {
 
+struct HullTriangle {
+  std::array<int, 3> vertices;  // of the surface
+  std::array<int, 3> borders;   // of the edge from corner i to the next: its id, or -1
+
+  void turn() {
+    std::swap(vertices[1], vertices[2]);
+    std::swap(borders[0], borders[2]);
+  }
+};
+
 // Triangulates what is kept of one source between its borders.
 class KeptPart {
  public:
@@ -34,15 +44,19 @@ class KeptPart {
     triangulation_.improve();
   }
 
-  // By vertices of the surface, outward.
-  std::vector<std::array<int, 3>> triangles() const {
-    std::vector<std::array<int, 3>> found;
+  // Outward.
+  std::vector<HullTriangle> triangles() const {
+    std::vector<HullTriangle> found;
     std::map<std::array<int, 3>, bool> is_turned;
     for (const auto& [edge, border] : borders_) spread(border, is_turned);
     for (const auto& [t, turned] : is_turned) {
-      std::array<int, 3> vertices = {vertex_at(t, 0), vertex_at(t, 1), vertex_at(t, 2)};
-      if (turned) std::swap(vertices[1], vertices[2]);
-      found.push_back(vertices);
+      HullTriangle triangle{{vertex_at(t, 0), vertex_at(t, 1), vertex_at(t, 2)}, {}};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto border = borders_.find({t[i], t[(i + 1) % 3]});
+        triangle.borders[i] = border == borders_.end() ? -1 : border->second.id;
+      }
+      if (turned) triangle.turn();
+      found.push_back(triangle);
     }
     return found;
   }
@@ -122,6 +136,7 @@ class Hull {
 
   OuterHull run() {
     for (std::size_t s = 0; s < surface_.borders.size(); ++s) add_source(s);
+    split_double_edges();
     number_vertices();
     OuterHull hull;
     const auto count = static_cast<Eigen::Index>(order_.size());
@@ -130,13 +145,13 @@ class Hull {
       const auto v = static_cast<std::size_t>(order_[static_cast<std::size_t>(row)]);
       hull.mesh.points.row(row) = place_of(v).transpose();
       hull.vertex_source.push_back(source_of_[v]);
-      if (surface_.is_touching[v]) hull.touching.push_back(static_cast<int>(row));
+      if (is_touching(v)) hull.touching.push_back(static_cast<int>(row));
     }
     hull.mesh.triangles.resize(static_cast<Eigen::Index>(triangles_.size()), 3);
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i)
         hull.mesh.triangles(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(i)) =
-            row_of_[static_cast<std::size_t>(triangles_[t][i])];
+            row_of_[static_cast<std::size_t>(triangles_[t].vertices[i])];
     hull.triangle_source = std::move(triangle_source_);
     return hull;
   }
@@ -157,40 +172,84 @@ class Hull {
   }
 
   // Where the borders are the source's own edges: its triangle, first corner first.
-  std::optional<std::array<int, 3>> as_a_whole(std::size_t s) const {
+  std::optional<HullTriangle> as_a_whole(std::size_t s) const {
     const std::vector<HullEdge>& borders = surface_.borders[s];
     if (borders.size() != 3) return {};
-    std::array<int, 3> vertices{};
+    HullTriangle triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
       const int from = arrangement_.corners[s][i], to = arrangement_.corners[s][(i + 1) % 3];
       const auto border =
           std::find_if(borders.begin(), borders.end(), [&](const HullEdge& b) { return b.from == from && b.to == to; });
       if (border == borders.end()) return {};
-      vertices[i] = border->from_vertex;
+      triangle.vertices[i] = border->from_vertex;
+      triangle.borders[i] = border->id;
     }
-    if (borders[0].is_turned) std::swap(vertices[1], vertices[2]);
-    return vertices;
+    if (borders[0].is_turned) triangle.turn();
+    return triangle;
   }
+
+  // Two sheets that touch along an edge and have both of its ends in common get a vertex each in its middle.
+  void split_double_edges() {
+    std::map<std::pair<int, int>, std::set<int>> ids;
+    for (const HullTriangle& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (t.borders[i] >= 0) ids[std::minmax(t.vertices[i], t.vertices[(i + 1) % 3])].insert(t.borders[i]);
+    std::map<int, int> middle_of;
+    for (std::size_t k = 0; k < triangles_.size(); ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        HullTriangle& t = triangles_[k];
+        const int a = t.vertices[i], b = t.vertices[(i + 1) % 3], c = t.vertices[(i + 2) % 3], id = t.borders[i];
+        if (id < 0 || ids[std::minmax(a, b)].size() < 2) continue;
+        const int next = static_cast<int>(surface_.point_of.size() + middles_.size());
+        const auto [middle, is_new] = middle_of.emplace(id, next);
+        if (is_new) middles_.push_back({a, b, Vector3::Zero()});
+        const int m = middle->second;
+        middles_[static_cast<std::size_t>(m) - surface_.point_of.size()].outward += normal_of(t, triangle_source_[k]);
+        const HullTriangle rest{{m, b, c}, {-1, t.borders[(i + 1) % 3], -1}};
+        t = {{a, m, c}, {-1, -1, t.borders[(i + 2) % 3]}};
+        triangles_.insert(triangles_.begin() + static_cast<std::ptrdiff_t>(k) + 1, rest);
+        triangle_source_.insert(triangle_source_.begin() + static_cast<std::ptrdiff_t>(k), triangle_source_[k]);
+        i = static_cast<std::size_t>(-1);  // once more: its other edges
+      }
+  }
+
+  // Outward, of the source.
+  Vector3 normal_of(const HullTriangle& t, int source) const {
+    const Triangle3 c = triangle_of(mesh_, source);
+    const Vector3 n = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+    Triangle3 here;
+    for (std::size_t i = 0; i < 3; ++i) here[i] = place_of(static_cast<std::size_t>(t.vertices[i]));
+    return n.dot((here[1] - here[0]).cross(here[2] - here[0])) < 0 ? Vector3(-n) : n;
+  }
+
+  // A vertex in the middle of an edge of the surface.
+  struct Middle {
+    int a, b;
+    Vector3 outward;
+  };
+  bool is_middle(std::size_t v) const { return v >= surface_.point_of.size(); }
+  bool is_touching(std::size_t v) const { return is_middle(v) || surface_.is_touching[v]; }
 
   // Given vertices first, in their order; of several copies of one the first.
   void number_vertices() {
-    source_of_.assign(surface_.point_of.size(), -1);
+    const std::size_t count = surface_.point_of.size() + middles_.size();
+    source_of_.assign(count, -1);
     std::vector<char> is_taken(static_cast<std::size_t>(mesh_.points.rows()), 0);
     std::set<std::pair<int, int>> order;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (const int v : triangles_[t]) {
+      for (const int v : triangles_[t].vertices) {
         const auto i = static_cast<std::size_t>(v);
         const int row = row_given(v, static_cast<std::size_t>(triangle_source_[t]));
         if (source_of_[i] >= 0 || row < 0 || is_taken[static_cast<std::size_t>(row)]) continue;
         source_of_[i] = row;
         is_taken[static_cast<std::size_t>(row)] = 1;
       }
-    for (const auto& t : triangles_)
-      for (const int v : t) {
+    for (const HullTriangle& t : triangles_)
+      for (const int v : t.vertices) {
         const int row = source_of_[static_cast<std::size_t>(v)];
         order.emplace(row >= 0 ? row : static_cast<int>(mesh_.points.rows()) + v, v);
       }
-    row_of_.assign(surface_.point_of.size(), -1);
+    row_of_.assign(count, -1);
     for (const auto& [key, v] : order) {
       row_of_[static_cast<std::size_t>(v)] = static_cast<int>(order_.size());
       order_.push_back(v);
@@ -199,6 +258,7 @@ class Hull {
 
   // The source's row of a vertex, where it is a corner of it, or -1.
   int row_given(int v, std::size_t source) const {
+    if (is_middle(static_cast<std::size_t>(v))) return -1;
     const auto& corners = arrangement_.corners[source];
     const auto found = std::find(corners.begin(), corners.end(), surface_.point_of[static_cast<std::size_t>(v)]);
     if (found == corners.end()) return -1;
@@ -206,6 +266,11 @@ class Hull {
   }
 
   Vector3 place_of(std::size_t v) const {
+    if (is_middle(v)) {
+      const Middle& middle = middles_[v - surface_.point_of.size()];
+      const Vector3 a = place_of(static_cast<std::size_t>(middle.a)), b = place_of(static_cast<std::size_t>(middle.b));
+      return (a + b) / 2 - apart_ * middle.outward.stableNormalized();
+    }
     const Vector3 place = arrangement_.points.rounded(surface_.point_of[v]);
     if (!surface_.is_touching[v] || apart_ <= 0) return place;
     return place + apart_ * find_inward(mesh_, arrangement_, sides_, surface_.faces_of[v]);
@@ -216,8 +281,9 @@ class Hull {
   Arrangement arrangement_;
   OuterSides sides_;
   HullSurface surface_;
-  std::vector<std::array<int, 3>> triangles_;  // by vertices of the surface
+  std::vector<HullTriangle> triangles_;
   std::vector<int> triangle_source_;
+  std::vector<Middle> middles_;          // numbered on from the surface's vertices
   std::vector<int> source_of_, row_of_;  // of each vertex of the surface
   std::vector<int> order_;               // vertices of the surface by row
 };

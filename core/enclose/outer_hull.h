@@ -15,8 +15,8 @@ struct OuterHull {
   std::vector<int> touching;
 };
 
-// The outer hull of the self-union (paper, figure 18): the boundary of what cannot be reached from infinity without
-// passing through what the mesh winds round a positive number of times; of each component that lies in no other. Found exactly; new points are then rounded to doubles. Triangles that are on it as a whole
+// The boundary of what cannot be reached from infinity without passing a triangle (paper, figure 18): of each component
+// that lies in no other. Found exactly; new points are then rounded to doubles. Triangles that are on it as a whole
 // stay as they are, vertices keep their coordinates and their order; of others the part that is on it is triangulated
 // anew, with no more points than its corners and what crosses its edges. Sheets that touch each other along an edge or
 // in a point get vertices of their own there, which are drawn inward by `apart` (model units; 0: they touch).

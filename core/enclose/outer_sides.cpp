@@ -4,7 +4,6 @@
 #include "core/enclose/outer_sides.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "core/enclose/disjoint_sets.h"
@@ -189,9 +188,6 @@ class Sides {
       tops.push_back(top);
       outside_[static_cast<std::size_t>(piece)] = lines.back()[top].side;
     }
-    join_what_is_not_wound_round();
-    for (int& outside : outside_)
-      if (outside >= 0) outside = spaces_.of(outside);
     // Above its top a piece is inside of another where the next crossing of that one is from within.
     for (std::size_t k = 0; k < all.size(); ++k) {
       std::vector<char> seen(arrangement_.corners.size(), 0);
@@ -200,56 +196,9 @@ class Sides {
         const auto piece = static_cast<std::size_t>(crossing.piece);
         if (seen[piece]) continue;
         seen[piece] = 1;
-        if (spaces_.of(crossing.other) != outside_[piece]) is_inside_[static_cast<std::size_t>(all[k])] = 1;
+        if (crossing.other != outside_[piece]) is_inside_[static_cast<std::size_t>(all[k])] = 1;
       }
     }
-  }
-
-  // A step through a cell from one space into another, by how much more the mesh winds round that.
-  struct Step {
-    int from, to, more;
-  };
-
-  std::vector<Step> find_steps() {
-    std::map<int, std::map<int, int>> faces_of;  // of each cell: of each source a face
-    for (int f = 0; f < static_cast<int>(arrangement_.faces.size()); ++f)
-      faces_of[cells_.of(f)].emplace(arrangement_.faces[static_cast<std::size_t>(f)].source, f);
-    std::vector<Step> steps;
-    for (const auto& [cell, faces] : faces_of) {
-      const int first = faces.begin()->second;
-      Step step{spaces_.of(2 * first), spaces_.of(2 * first + 1), 0};
-      if (step.from == step.to) continue;
-      for (const auto& [source, f] : faces) step.more += spaces_.of(2 * f) == step.from ? 1 : -1;
-      steps.push_back(step);
-    }
-    return steps;
-  }
-
-  // Adds to what is outside of a piece the spaces beside it that it winds round no positive number of times: where
-  // walls have turned over.
-  void join_what_is_not_wound_round() {
-    std::map<int, std::vector<Step>> from;
-    for (const Step& step : find_steps()) {
-      from[step.from].push_back(step);
-      from[step.to].push_back({step.to, step.from, -step.more});
-    }
-    std::vector<std::pair<int, int>> joined;
-    for (const int outside : outside_) {
-      if (outside < 0) continue;
-      std::map<int, int> winding = {{outside, 0}};
-      std::vector<int> open = {outside};
-      while (!open.empty()) {
-        const int space = open.back();
-        open.pop_back();
-        for (const Step& step : from[space]) {
-          const int there = winding[space] + step.more;
-          if (there > 0 || !winding.emplace(step.to, there).second) continue;
-          joined.emplace_back(outside, step.to);
-          open.push_back(step.to);
-        }
-      }
-    }
-    for (const auto& [a, b] : joined) spaces_.join(a, b);
   }
 
   OuterSides::Kept kept(int f) {

@@ -8,8 +8,7 @@
 
 namespace cagewright {
 
-// The boundary of what cannot be reached from infinity without passing into what the mesh winds round a positive number
-// of times.
+// The boundary of what cannot be reached from infinity without passing a face.
 struct OuterSides {
   enum class Kept : char { no, as_it_is, turned };
   std::vector<Kept> faces;  // of each face; of faces that lie on each other one at most
