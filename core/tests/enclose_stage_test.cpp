@@ -184,6 +184,7 @@ TEST(Enclose, SaysWhereTheClearanceIsNotKept) {
   const Refined refined(shapes::figure(), 0, true);  // its legs are closer to each other than that
   EncloseOptions options;
   options.delta = 0.06;
+  options.merge = false;
   const Enclosure enclosure = refined.enclosed(options);
   EXPECT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
   ASSERT_FALSE(enclosure.keeps_delta);

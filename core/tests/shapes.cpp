@@ -202,6 +202,33 @@ SlidBody figure() {
   return body;
 }
 
+SlidBody close_legs(double gap) {
+  const Tube trunk{{0, 0.05, 0}, {0.03, 0, 1.1}, 0.55};
+  const Tube left{{0.45, 0, -0.2}, {0.6, 0.05, -2.2}, 0.27}, right{{-0.45, 0.05, -0.2}, {-0.6, 0, -2.2}, 0.27};
+  SlidBody body = slid("close legs", {trunk, left, right}, 0);
+  add_slides(body, trunk, {0.6});
+  add_slides(body, left, {0.3, 0.75});
+  add_slides(body, right, {0.3, 0.78});
+  const auto share = [](double z) { return std::clamp((-0.9 - z) / 0.3, 0.0, 1.0); };
+  const Points before = body.mesh.points;
+  // How far the leg on p's side is from the middle plane, at p's height: so that its inner side becomes straight.
+  const auto inner = [&](const Vector3& p) {
+    double least = 10;
+    for (const auto& q : before.rowwise())
+      if (share(q.z()) > 0 && q.x() * p.x() > 0) least = std::min(least, std::abs(q.x()) + 2 * std::abs(q.z() - p.z()));
+    return least;
+  };
+  const auto move = [&](const Vector3& p) -> Vector3 {
+    return p - Vector3(std::copysign((inner(p) - gap / 2) * share(p.z()), p.x()), 0, 0);
+  };
+  for (auto point : body.mesh.points.rowwise()) point = move(point.transpose()).transpose().eval();
+  for (Slide& slide : body.slides) {
+    auto& definition = std::get<PointNormalDefinition>(slide.definition);
+    definition.point = move(definition.point);
+  }
+  return body;
+}
+
 SlidBody handle_body() {
   const Vector3 bottom(0.1, 0, -1.3), top(0, 0.1, 1.3), far_bottom(1.7, 0.05, -0.9), far_top(1.6, 0, 0.9);
   const Tube trunk{bottom, top, 0.42}, lower{bottom, far_bottom, 0.33}, upper{top, far_top, 0.35};

@@ -38,8 +38,9 @@ SlidBody limb(int slides);              // one tube, cut across `slides` times
 SlidBody fork(int slides_on_each_arm);  // three arms round a junction
 SlidBody ring(int slides);              // a ring of tubes, genus 1
 SlidBody figure();                      // trunk, head, two arms, two legs that stand close; seven slides
-SlidBody handle_body();                 // a trunk with a handle (genus 1) and a free arm
-std::vector<SlidBody> slid_bodies();    // one of each, all soundly cut
+SlidBody close_legs(double gap);      // a trunk on two legs that come so near to each other below the knees; six slides
+SlidBody handle_body();               // a trunk with a handle (genus 1) and a free arm
+std::vector<SlidBody> slid_bodies();  // one of each, all soundly cut
 
 // Uniform scale, then rotation, then translation.
 struct Motion {
