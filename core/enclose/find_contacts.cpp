@@ -28,17 +28,17 @@ class TriangleContacts {
         t_(t),
         clearance_(clearance),
         corners_(movable.triangle(t)),
-        normal_(movable.normal(t)),
+        prism_(corners_, movable.box(t)),
         near_(fields * fields) {}
 
   void offer_point(const Vector3& p, double reach) {
-    if (std::abs(normal_.dot(p - corners_[0])) > reach) return;
+    if (prism_.parts_ball(p, reach)) return;
     const Vector3 weights = nearest_on_triangle(p, corners_);
     const double distance = (at_barycentric(corners_, weights) - p).norm();
     if (distance <= reach) offer({distance, weights, p});
   }
   void offer_triangle(const Triangle3& other, double reach) {
-    if (plane_parts(corners_, normal_, other, reach) || plane_parts(other, unit_normal(other), corners_, reach)) return;
+    if (prism_.parts(other, reach) || plane_parts(other, unit_normal(other), corners_, reach)) return;
     const NearestPoints nearest = nearest_points(corners_, other);
     if (nearest.distance <= reach) offer({nearest.distance, nearest.on_s, at_barycentric(other, nearest.on_t)});
   }
@@ -65,7 +65,7 @@ class TriangleContacts {
   int t_;
   double clearance_;
   Triangle3 corners_;
-  Vector3 normal_;
+  Prism prism_;
   std::vector<Near> near_;
 };
 

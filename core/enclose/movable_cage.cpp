@@ -85,9 +85,8 @@ void MovableCage::visit_near(int t, double distance, const std::function<bool(in
   constexpr double single_rounding = 1e-6;
   const Triangle3 now = triangle(t);
   const Box3& bounds = box(t);
-  const bool thin = is_thin(now, bounds);
-  const Vector3 n = thin ? Vector3::Zero() : unit_normal(now);
-  const double offset = n.dot(now[0]), slack = distance + tolerance::rounding * now[0].cwiseAbs().maxCoeff();
+  const Prism prism(now, bounds);
+  const double slack = distance + tolerance::rounding * now[0].cwiseAbs().maxCoeff();
   const Neighbourhood& around = neighbourhood(t, distance);
   // The triangle is still within `moved` of its old plane.
   const float slab =
@@ -99,7 +98,7 @@ void MovableCage::visit_near(int t, double distance, const std::function<bool(in
     }
     const Vector3 center = ball.center.cast<double>();
     const double reach = slack + static_cast<double>(ball.radius);
-    if (std::abs(n.dot(center) - offset) > reach) continue;
+    if (prism.parts_ball(center, reach)) continue;
     if (bounds.squaredExteriorDistance(center) > reach * reach) continue;
     if (visit(ball.triangle)) return;
   }
@@ -172,12 +171,12 @@ bool MovableCage::is_asked(int t, int model_triangle, Whose whose) const {
 
 void MovableCage::visit_hits(int t, Whose whose, double clearance, const std::function<bool(int)>& visit) const {
   const Triangle3 corners = triangle(t);
-  const Vector3 n = unit_normal(corners);
+  const Prism prism(corners, box(t));
   int& last = last_hit_[static_cast<std::size_t>(t)];
   visit_near(t, clearance, [&](int k) {
     const Triangle3 model_triangle = triangle_of(model(), k);
     if (clearance > 0) {
-      if (plane_parts(corners, n, model_triangle, clearance) ||
+      if (prism.parts(model_triangle, clearance) ||
           plane_parts(model_triangle, unit_normal(model_triangle), corners, clearance))
         return false;
       if (!are_nearer_than(model_triangle, corners, clearance) && !meet(model_triangle, corners)) return false;

@@ -94,6 +94,35 @@ bool plane_parts(const Triangle3& t, const Vector3& n, const Triangle3& other, d
   return std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance;
 }
 
+Prism::Prism(const Triangle3& t, const Eigen::AlignedBox3d& box) : is_thin_(is_thin(t, box)), normal_(unit_normal(t)) {
+  if (is_thin_) return;
+  offset_ = normal_.dot(t[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sides_[i] = (t[(i + 1) % 3] - t[i]).cross(normal_).stableNormalized();
+    side_offsets_[i] = sides_[i].dot(t[i]);
+  }
+}
+
+bool Prism::parts_ball(const Vector3& center, double distance) const {
+  if (is_thin_) return false;
+  if (std::abs(normal_.dot(center) - offset_) > distance) return true;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sides_[i].dot(center) - side_offsets_[i] > distance) return true;
+  return false;
+}
+
+bool Prism::parts(const Triangle3& other, double distance) const {
+  if (is_thin_) return false;
+  const double a = normal_.dot(other[0]) - offset_, b = normal_.dot(other[1]) - offset_,
+               c = normal_.dot(other[2]) - offset_;
+  if (std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double least = std::min({sides_[i].dot(other[0]), sides_[i].dot(other[1]), sides_[i].dot(other[2])});
+    if (least - side_offsets_[i] > distance) return true;
+  }
+  return false;
+}
+
 Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t) {
   Vector3 weights;
   if (foot_inside(p, t, weights)) return weights;
