@@ -22,7 +22,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 using Whose = MovableCage::Whose;
 
-constexpr double push_share = 0.15, free_share = 0.3, clearance_share = 0.45;  // of the progress, where they end
+constexpr double push_share = 0.15, release_share = 0.2, free_share = 0.3,
+                 clearance_share = 0.45;  // of the progress, where they end
 
 Progress part_of(const Progress& progress, double begin, double end) {
   if (!progress) return {};
@@ -66,7 +67,9 @@ class Enclosing {
 
   Enclosure run(const Progress& progress) {
     bool is_clear = begin(shape_, part_of(progress, 0, push_share));
-    if (!is_clear && options_.in_plane) is_clear = begin_free(part_of(progress, push_share, free_share));
+    if (!is_clear && options_.in_plane)
+      is_clear = release_stuck(part_of(progress, push_share, release_share)) ||
+                 begin_free(part_of(progress, release_share, free_share));
     if (is_clear) keep(part_of(progress, free_share, clearance_share));
     result_.first_volume = movable_.volume();
     const Points loose = movable_.points();
@@ -95,7 +98,38 @@ class Enclosing {
     return is_free && push(shape, gap_, most_pushes, Whose::nobody, part_of(progress, 0.5, 1));
   }
 
-  // Where sections in plane get stuck: first free, then as many as can be into their planes.
+  // Where sections in plane get stuck: without those that hold what is stuck, where they are few.
+  bool release_stuck(const Progress& progress) {
+    const Points stuck = movable_.points();
+    SectionShape some(shape_);
+    if (2 * let_go_stuck(some) <= some.section_count()) {
+      movable_.place_all(cage_.points);
+      draw_back(movable_, some, sections_, guard_of(Whose::others), tolerance::round_the_loop * model_.diagonal);
+      if (push(some, gap_, most_pushes_released, Whose::others, part_of(progress, 0, 0.5))) {
+        flatten(movable_, shape_, some, owners_, guard_of(Whose::any), model_.diagonal, part_of(progress, 0.5, 1));
+        return true;
+      }
+    }
+    movable_.place_all(stuck);
+    return false;
+  }
+
+  // How many.
+  int let_go_stuck(SectionShape& shape) const {
+    const Outside outside = find_outside(movable_, neighbours_, gap_, options_.threads);
+    int count = 0;
+    for (int t = 0; t < movable_.triangle_count(); ++t) {
+      if (outside.meeting[static_cast<std::size_t>(t)].empty()) continue;
+      for (int i = 0; i < 3; ++i)
+        if (const int k = shape.section_of(movable_.vertex_of(t, i)); k >= 0 && !shape.is_released(k)) {
+          shape.release(k);
+          ++count;
+        }
+    }
+    return count;
+  }
+
+  // Where that does not do: all free first, then as many as can be into their planes.
   bool begin_free(const Progress& progress) {
     const Points stuck = movable_.points();
     movable_.place_all(cage_.points);
@@ -114,7 +148,7 @@ class Enclosing {
     push.gap = gap_;
     push.diagonal = model_.diagonal;
     push.most = most;
-    if (most == most_pushes_in_plane) push.patience = patience_in_plane;
+    if (most < most_pushes) push.patience = patience_in_plane;
     push.threads = options_.threads;
     push.guarded = guarded;
     const int steps = push_out(movable_, shape, neighbours_, owners_, push, progress);
@@ -207,7 +241,7 @@ class Enclosing {
     return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
-  static constexpr int most_pushes = 60, most_pushes_in_plane = 24, patience_in_plane = 8;
+  static constexpr int most_pushes = 60, most_pushes_in_plane = 24, most_pushes_released = 20, patience_in_plane = 8;
 
   const Model& model_;
   const std::vector<SectionFrame>& sections_;
