@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -36,7 +37,6 @@ std::string quoted(const std::set<int>& slides, const std::vector<std::string>& 
   return text;
 }
 
-// Everything that the steps of enclosing share.
 // How far floats are apart where the model is.
 double float_step(const Points& points) { return std::numeric_limits<float>::epsilon() * points.cwiseAbs().maxCoeff(); }
 
@@ -47,6 +47,7 @@ bool floats_hold(const Points& points, double diagonal) {
   return in_range && float_step(points) < tolerance::coarsest_float * diagonal;
 }
 
+// Everything that the steps of enclosing share.
 class Enclosing {
  public:
   Enclosing(const Model& model, const Segmentation& segmentation, const std::vector<SectionFrame>& sections,
@@ -191,9 +192,20 @@ class Enclosing {
     result_.keeps_delta = too_near_.slides.empty() && result_.certificate.encloses();
   }
 
-  void add_slides(int t, std::set<int>& slides) const {
+  void add_slides(int t, std::map<int, int>& slides) const {
     const auto part = static_cast<std::size_t>(cage_.triangle_part[static_cast<std::size_t>(t)]);
-    for (const PartSection& side : movable_.segmentation().parts[part].sections) slides.insert(side.slide);
+    for (const PartSection& side : movable_.segmentation().parts[part].sections) ++slides[side.slide];
+  }
+
+  // Those with the most failures.
+  std::string worst(const std::map<int, int>& slides) const {
+    std::vector<std::pair<int, int>> order;  // failures, falling, and slide
+    for (const auto& [k, count] : slides) order.emplace_back(-count, k);
+    std::sort(order.begin(), order.end());
+    std::set<int> named;
+    for (std::size_t i = 0; i < order.size() && i < most_named; ++i) named.insert(order[i].second);
+    return (order.size() > most_named ? "most of that is near the slides " : "that is near the slides ") +
+           quoted(named, names_);
   }
 
   std::string shortfall_of_certified() const {
@@ -225,7 +237,7 @@ class Enclosing {
   std::string shortfall() const {
     const Certificate& certificate = result_.certificate;
     if (certificate.encloses()) return shortfall_of_certified();
-    std::set<int> slides;
+    std::map<int, int> slides;  // and how many failures each is near
     for (const int t : certificate.degenerate_triangles) add_slides(t, slides);
     for (const auto& [s, t] : certificate.self_intersections) {
       add_slides(s, slides);
@@ -237,11 +249,12 @@ class Enclosing {
             std::to_string(certificate.model_cage_intersections.size()) + " model triangles cross it, " +
             std::to_string(certificate.vertices_outside.size()) + " model vertices are outside; ";
     if (slides.empty()) return text + "add slides";
-    text += "move or turn one of the slides " + quoted(slides, names_) + ", or add one between them";
+    text += worst(slides) + ": move or turn one of them, or add one between them";
     return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
   static constexpr int most_pushes = 60, most_pushes_in_plane = 24, most_pushes_released = 20, patience_in_plane = 8;
+  static constexpr std::size_t most_named = 4;  // slides, in a sentence
 
   const Model& model_;
   const std::vector<SectionFrame>& sections_;
