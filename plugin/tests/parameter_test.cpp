@@ -58,6 +58,7 @@ TEST(AbiParameters, ListWhatTheCommandLineReliesOn) {
   EXPECT_EQ(parameters.at("enclose.in_plane").default_value, 1);
   EXPECT_EQ(parameters.at("enclose.corner_angle").default_value, 15);
   EXPECT_EQ(parameters.at("enclose.tighten").default_value, 1);
+  EXPECT_EQ(parameters.at("enclose.merge").default_value, 1);
 }
 
 TEST(AbiParameters, AreInTheReferenceWithTheirDefaults) {
