@@ -97,7 +97,7 @@ class CommandLine {
     add_file(*validate_app_, "--html", validate_.html, "What was found, a page; its pictures need a display");
     validate_app_->add_option("--starts", validate_.starts, "Random starts for equation (1) (default 200)")
         ->check(CLI::Range(0, 1000000));
-    validate_app_->add_option("--seconds", validate_.seconds, "For the search of a tighter cage (default 60); 0: none")
+    validate_app_->add_option("--seconds", validate_.seconds, "For the search of a tighter cage (default 120); 0: none")
         ->check(CLI::Range(0.0, 1e6));
     add_threads(*validate_app_, cage.threads);
     validate_app_->add_flag("--quiet", cage.quiet, "No progress and no notes on stderr, only errors");

@@ -42,7 +42,7 @@ struct ValidateCommand {
   CageCommand cage;  // what is made; its `report` is the validation's, `out` and `picture` are empty
   OptionalPath html;
   std::size_t starts = 200;  // random ones, of the search over equation (1)
-  double seconds = 60;       // for the search of a tighter cage; 0: none
+  double seconds = 120;      // for the search of a tighter cage; 0: none
 };
 
 struct StripCommand {

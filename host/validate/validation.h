@@ -17,7 +17,7 @@ namespace cagewright::host {
 
 struct ValidationOptions {
   std::size_t starts = 200;   // random ones, of the search over equation (1)
-  double seconds = 60;        // for the search of a tighter cage; 0: none
+  double seconds = 120;       // for the search of a tighter cage; 0: none
   std::uint32_t threads = 0;  // of the plug-in's certificates; 0: all
 };
 
