@@ -65,7 +65,7 @@ std::vector<ObservedSection> to_sections(const Session& session) {
     section.p = to_vector(from.p);
     section.q = to_vector(from.q);
     section.x = Eigen::Vector2d::Map(from.x);
-    section.linear = section.x;
+    section.linear = Eigen::Vector2d::Map(from.linear_x);
     section.parts = {from.part_behind, from.part_ahead};
     sections.push_back(std::move(section));
   }
