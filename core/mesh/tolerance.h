@@ -26,6 +26,8 @@ inline constexpr double push_margin = 1e-4;    // by which a push clears the mod
 inline constexpr double looked_beyond = 0.01;  // by a cage triangle for the model near it; over the diagonal
 inline constexpr double longest_push = 0.02;   // of a vertex by one step; over the diagonal
 inline constexpr double round_the_loop = 1e-3;  // left round a slide's loop; over the diagonal
+inline constexpr double thin_triangle = 1e-3;   // twice the area over its box's diagonal squared: no sure normal
+inline constexpr double rounding = 1e-12;       // of a length that was computed, over the coordinates
 inline constexpr double least_gap = 2e-6;       // from cage to model and between its triangles; over the diagonal
 inline constexpr double coarsest_float =
     1e-4;  // between floats where a cage is still rounded to them; over the diagonal
