@@ -28,7 +28,7 @@ double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
 
 }  // namespace
 
-Check check_segmentation(const ObservedCage& seen, const TriangleMesh& model) {
+Check check_segmentation(const ObservedCage& seen, const TriangleMesh& model, bool is_turned) {
   Check check{"segment", "the cut model is the model, and what was added lies on the planes of slides", 1e-9,
               "relative"};
   const PointList given = to_points(model.points);
@@ -47,7 +47,8 @@ Check check_segmentation(const ObservedCage& seen, const TriangleMesh& model) {
   check.offer(std::abs(after.area / before.area - 1), [&] {
     return "the cut model's area is " + text_of(after.area) + ", the model's " + text_of(before.area);
   });
-  check.offer(std::abs(after.volume / std::abs(before.volume) - 1), [&] {
+  // Of triangles that face either way the sum is no volume.
+  check.offer(is_turned ? 0 : std::abs(after.volume / std::abs(before.volume) - 1), [&] {
     return "the cut model's volume is " + text_of(after.volume) + ", the model's " + text_of(before.volume);
   });
   std::set<std::array<double, 3>> known;
@@ -68,7 +69,9 @@ Check check_segmentation(const ObservedCage& seen, const TriangleMesh& model) {
 }
 
 Check check_enclosing(const ObservedCage& seen) {
-  Check check{"enclose", "a cage that is called enclosing winds once round every vertex of the model", 1e-6, "turns"};
+  Check check{"enclose",
+              "a cage that is called enclosing winds round every vertex of the model, a whole number of times", 1e-6,
+              "turns"};
   if (!seen.certified) return check;
   for (std::size_t i = 0; i < seen.model.size(); ++i) {
     const Eigen::Vector3d& v = seen.model[i];
@@ -79,7 +82,7 @@ Check check_enclosing(const ObservedCage& seen) {
                            seen.vertices[static_cast<std::size_t>(t[2])] - v);
     }
     const double turns = angle / (4 * std::numbers::pi);
-    check.offer(std::abs(turns - 1), [&] {
+    check.offer(std::abs(turns - std::max(1.0, std::round(turns))), [&] {
       return "the cage is called enclosing, but winds " + text_of(turns) + " times round vertex " + std::to_string(i) +
              " of the cut model at " + text_of(v);
     });

@@ -66,7 +66,10 @@ Check check_rectangles(const ObservedCage& seen) {
 }
 
 // Above nothing, a share of the energy at stake is meant.
-double excess(double energy, double best, double at_stake) { return (energy - best) / std::max(best, 1e-9 * at_stake); }
+double excess(double energy, double best, double at_stake) {
+  const double base = std::max(best, 1e-9 * at_stake);
+  return base > 0 ? (energy - best) / base : 0;
+}
 
 double weight_of(const Equation1& equation) {
   double weight = 0;

@@ -35,7 +35,9 @@ Validation validate(const Plugin& plugin, const Session& session, const Triangle
   found.max_signed_distances.push_back(seen.max_signed_distance / seen.diagonal);
 
   now(0, "check orient");
-  found.checks.push_back(check_segmentation(seen, model));
+  const cgw_mesh_report report = session.mesh_report();
+  const bool is_turned = report.turned_triangles > 0 && report.turned_triangles < report.triangles;
+  found.checks.push_back(check_segmentation(seen, model, is_turned));
   OrientationReport orientation = check_orientation(seen, options.starts);
   found.orientation = orientation.figures;
   std::move(orientation.checks.begin(), orientation.checks.end(), std::back_inserter(found.checks));
