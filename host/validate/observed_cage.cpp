@@ -2,7 +2,9 @@
 #include "host/validate/observed_cage.h"
 
 #include <algorithm>
-#include <limits>
+#include <stdexcept>
+
+#include "host/file/file_error.h"
 
 namespace cagewright::host {
 namespace {
@@ -34,8 +36,20 @@ void read_parameters(const Session& session, ObservedCage& seen) {
       session.parameter("refine.in_plane") != 0 || (seen.is_enclosed && session.parameter("enclose.in_plane") != 0);
 }
 
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::runtime_error("the plug-in hands out " + what + ": its figures cannot be checked");
+}
+
+template <class Index>
+void require_rows(const std::vector<Index>& indices, long least, std::size_t count, const std::string& what) {
+  for (const auto index : indices) {
+    if (index < least || index >= static_cast<std::int64_t>(count)) refuse(what + " " + std::to_string(index));
+  }
+}
+
 std::vector<ObservedPart> to_parts(const CutModel& cut) {
   std::vector<ObservedPart> parts(cut.is_enclosed.size());
+  require_rows(cut.triangle_part, 0, parts.size(), "triangles of the cut model in part");
   for (std::size_t t = 0; t < cut.triangle_part.size(); ++t) {
     std::vector<int>& vertices = parts[static_cast<std::size_t>(cut.triangle_part[t])].vertices;
     for (std::size_t i = 0; i < 3; ++i) vertices.push_back(static_cast<int>(cut.mesh.triangles[3 * t + i]));
@@ -89,6 +103,30 @@ ObservedIteration to_iteration(const IterationRecord& record) {
   return iteration;
 }
 
+void require_triangles(const std::vector<Corners>& triangles, std::size_t vertices, const std::string& what) {
+  for (const Corners& t : triangles) require_rows(std::vector<int>(t.begin(), t.end()), 0, vertices, what);
+}
+
+// What the checks index by must be there, whatever the plug-in does.
+void require_consistent(const ObservedCage& seen) {
+  require_triangles(seen.model_triangles, seen.model.size(), "triangles of the cut model with a vertex");
+  require_triangles(seen.triangles, seen.vertices.size(), "triangles of the cage with a vertex");
+  require_rows(seen.triangle_part, 0, seen.parts.size(), "triangles of the cage that bound part");
+  require_rows(seen.vertex_section, -1, seen.sections.size(), "vertices of the cage that are corners of section");
+  if (seen.vertices.size() < 4 * seen.sections.size()) refuse("fewer vertices of the cage than corners of sections");
+  for (std::size_t k = 0; k < seen.iterations.size(); ++k) {
+    const ObservedIteration& iteration = seen.iterations[k];
+    const std::string where = "iteration " + std::to_string(k) + " with ";
+    for (const std::size_t rows : {iteration.before.size(), iteration.after.size(), iteration.damping.size()}) {
+      if (rows != seen.vertices.size()) refuse(where + counted(rows, "vertex") + " of another cage");
+    }
+    for (const std::size_t rows : {iteration.normals.size(), iteration.weights.size(), iteration.outermost.size()}) {
+      if (rows != seen.triangles.size()) refuse(where + counted(rows, "triangle") + " of another cage");
+    }
+    require_rows(iteration.outermost, -1, seen.model.size(), where + "the outermost vertex");
+  }
+}
+
 }  // namespace
 
 PointList to_points(const std::vector<double>& rows) {
@@ -111,6 +149,7 @@ ObservedCage observe(const Session& session) {
   seen.triangle_part = session.triangle_parts();
   seen.vertex_section = session.vertex_sections();
   for (const IterationRecord& record : session.iterations()) seen.iterations.push_back(to_iteration(record));
+  require_consistent(seen);
   return seen;
 }
 

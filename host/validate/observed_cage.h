@@ -60,7 +60,8 @@ struct ObservedCage {
   std::vector<ObservedIteration> iterations;
 };
 
-// After a solve that went through the refinement at least. Throws PluginError.
+// After a solve that went through the refinement at least. Throws PluginError, and std::runtime_error where what the
+// plug-in hands out does not fit together.
 ObservedCage observe(const Session& session);
 
 PointList to_points(const std::vector<double>& rows);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "host/file/file_error.h"
 #include "host/validate/validation_file.h"
 
 namespace cagewright::host {
@@ -34,7 +35,7 @@ std::string validation_summary(const Validation& v) {
     if (!check.holds()) text += "  " + check.fault + "\n";
   }
   if (const Check* check = equation_8_of(v)) {
-    text += "equation (8): " + std::to_string(v.iterations) + " iterations, at most " + text_of(check->worst) +
+    text += "equation (8): " + counted(v.iterations, "iteration") + ", at most " + text_of(check->worst) +
             " of the diagonal apart\n";
   }
   const OrientationFigures& o = v.orientation;
