@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "core/error/error.h"
 #include "core/mesh/tolerance.h"
@@ -87,18 +88,18 @@ class Energy {
     return x;
   }
   double at(const Eigen::VectorXd& x) const { return x.dot(matrix() * x) - 2 * b_.dot(x) + constant_; }
-
- private:
-  void add(int row, int column, const Matrix2& block) {
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) entries_.emplace_back(2 * row + i, 2 * column + j, block(i, j));
-  }
+  const Eigen::VectorXd& linear_term() const { return b_; }
   Eigen::SparseMatrix<double> matrix() const {
     Eigen::SparseMatrix<double> a(b_.size(), b_.size());
     a.setFromTriplets(entries_.begin(), entries_.end());
     return a;
   }
 
+ private:
+  void add(int row, int column, const Matrix2& block) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) entries_.emplace_back(2 * row + i, 2 * column + j, block(i, j));
+  }
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd b_;
   double constant_ = 0, heaviest_ = 0;
@@ -122,19 +123,93 @@ Energy equation_1(const std::vector<Ellipse>& slides, const NeighbourPairs& neig
   return energy;
 }
 
+// (1) over directions of length 1: x_k = (cos f_k, sin f_k), f_k four times the angle of p_k.
+class UnitEnergy {
+ public:
+  UnitEnergy(const Energy& energy, Eigen::VectorXd angles)
+      : a_(energy.matrix()), b_(energy.linear_term()), angles_(std::move(angles)) {}
+
+  // To the minimum next to where it is. Newton's method with halved steps; where a step is so small that the energy
+  // cannot tell any more, the gradient decides alone.
+  Eigen::VectorXd minimise() {
+    double energy = at(angles_);
+    for (int k = 0; k < most_steps; ++k) {
+      const Eigen::VectorXd step = newton_step();
+      const double length = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0;
+      if (!std::isfinite(length) || length < least_step) break;
+      if (length < sure_step) {
+        angles_ += step;
+        continue;
+      }
+      double share = std::min(1.0, longest_step / length);
+      while (share > least_share && !(at(angles_ + share * step) < energy)) share /= 2;
+      if (share <= least_share) break;
+      angles_ += share * step;
+      energy = at(angles_);
+    }
+    return directions(angles_);
+  }
+
+  static Eigen::VectorXd directions(const Eigen::VectorXd& angles) {
+    Eigen::VectorXd x(2 * angles.size());
+    for (Eigen::Index k = 0; k < angles.size(); ++k) x.segment<2>(2 * k) << std::cos(angles(k)), std::sin(angles(k));
+    return x;
+  }
+
+ private:
+  static constexpr int most_steps = 50;
+  static constexpr double longest_step = 1, sure_step = 1e-6, least_step = 1e-13, least_share = 1e-6;
+
+  double at(const Eigen::VectorXd& angles) const {
+    const Eigen::VectorXd x = directions(angles);
+    return x.dot(a_ * x) - 2 * b_.dot(x);
+  }
+
+  // Where the second derivatives are not positive definite, without those terms of theirs that may be negative.
+  Eigen::VectorXd newton_step() const {
+    const Eigen::VectorXd x = directions(angles_), pull = a_ * x - b_;
+    Eigen::SparseMatrix<double> tangents(x.size(), angles_.size());
+    tangents.reserve(Eigen::VectorXi::Constant(angles_.size(), 2));
+    Eigen::VectorXd bend(angles_.size());  // of the circle: what the pull along x adds
+    for (Eigen::Index k = 0; k < angles_.size(); ++k) {
+      tangents.insert(2 * k, k) = -x(2 * k + 1);
+      tangents.insert(2 * k + 1, k) = x(2 * k);
+      bend(k) = -x.segment<2>(2 * k).dot(pull.segment<2>(2 * k));
+    }
+    const Eigen::VectorXd gradient = tangents.transpose() * pull;
+    Eigen::SparseMatrix<double> flat = tangents.transpose() * a_ * tangents, curved = flat;
+    curved.diagonal() += bend;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(curved);
+    if (solver.info() != Eigen::Success || !(solver.vectorD().minCoeff() > 0)) {
+      flat.diagonal() += bend.cwiseMax(0);
+      solver.compute(flat);
+    }
+    return solver.solve(-gradient);
+  }
+
+  Eigen::SparseMatrix<double> a_;
+  Eigen::VectorXd b_, angles_;
+};
+
+Eigen::VectorXd angles_of(const Eigen::VectorXd& x) {
+  Eigen::VectorXd angles(x.size() / 2);
+  for (Eigen::Index k = 0; k < angles.size(); ++k) angles(k) = std::atan2(x(2 * k + 1), x(2 * k));
+  return angles;
+}
+
 // Half the extent of the ellipse along a unit direction in its plane.
 double reach(const Ellipse& slide, const Vector3& direction) {
   return std::hypot(slide.u.dot(direction), slide.v.dot(direction));
 }
 
-SectionFrame section_of(const Ellipse& slide, const Vector2& x) {
+SectionFrame section_of(const Ellipse& slide, const Vector2& x, const Vector2& linear) {
   // The fourth root nearest to u; of the two half way between u and v, always the same.
   const double y = std::abs(x.y()) <= tolerance::tie * x.norm() ? std::abs(x.y()) : x.y();
   const double angle = std::atan2(y, x.x()) / 4;
   const Vector3 u = slide.u.normalized(), v = slide.v.normalized();
   const Vector3 p = std::cos(angle) * u + std::sin(angle) * v;
   const Vector3 q = slide.normal.cross(p);
-  return {slide.center, slide.normal, reach(slide, p) * p, reach(slide, q) * q, x};
+  return {slide.center, slide.normal, reach(slide, p) * p, reach(slide, q) * q, x, linear};
 }
 
 }  // namespace
@@ -150,9 +225,12 @@ std::vector<SectionFrame> orient(const std::vector<Ellipse>& slides, const Neigh
   // Pulls a slide that nothing else orients to its own u.
   const double weight = tolerance::tie_break_weight * energy.heaviest();
   for (std::size_t k = 0; k < slides.size(); ++k) energy.pull(static_cast<int>(k), Vector2::UnitX(), weight);
-  const Eigen::VectorXd x = energy.minimiser();
-  for (std::size_t k = 0; k < slides.size(); ++k)
-    sections.push_back(section_of(slides[k], x.segment<2>(static_cast<Eigen::Index>(2 * k))));
+  const Eigen::VectorXd linear = energy.minimiser();
+  const Eigen::VectorXd x = UnitEnergy(energy, angles_of(linear)).minimise();
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(2 * k);
+    sections.push_back(section_of(slides[k], x.segment<2>(row), linear.segment<2>(row)));
+  }
   return sections;
 }
 

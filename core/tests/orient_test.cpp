@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <chrono>
 #include <cmath>
 #include <complex>
@@ -98,18 +99,51 @@ void expect_minimises(const std::vector<Ellipse>& slides, const NeighbourPairs& 
   const Eigen::VectorXd x = energy.minimiser();
   const std::vector<SectionFrame> sections = orient(slides, pairs, lambda);
   std::vector<double> angles;
-  Eigen::VectorXd unit(x.size());
+  Eigen::VectorXd unit(x.size()), turned(x.size()), straight(x.size());
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(2 * k);
-    EXPECT_LT((sections[k].x - x.segment<2>(row)).norm(), 1e-5 * (1 + x.norm())) << "slide " << k;
+    EXPECT_LT((sections[k].linear - x.segment<2>(row)).norm(), 1e-5 * (1 + x.norm())) << "slide " << k;
+    EXPECT_NEAR(sections[k].x.norm(), 1, 1e-12);
+    turned.segment<2>(row) = sections[k].x;
+    straight.segment<2>(row) = x.segment<2>(row).normalized();
     angles.push_back(0.3 + static_cast<double>(k));
     unit.segment<2>(row) << std::cos(4 * angles[k]), std::sin(4 * angles[k]);
     const Vector3 p = sections[k].p.normalized();
     const double root = 4 * std::atan2(slides[k].v.normalized().dot(p), slides[k].u.normalized().dot(p));
-    EXPECT_NEAR(std::remainder(root - std::atan2(x(row + 1), x(row)), 2 * M_PI), 0, 1e-4);
+    EXPECT_NEAR(std::remainder(root - std::atan2(turned(row + 1), turned(row)), 2 * M_PI), 0, 1e-9);
     EXPECT_LE(std::abs(root), M_PI + 1e-9) << "of the four roots the one nearest to u";
   }
   EXPECT_NEAR(orientation_energy(slides, pairs, lambda, angles), energy(unit), 1e-10 * (1 + energy(unit)));
+  EXPECT_LE(energy(turned), energy(straight) * (1 + 1e-9));
+  for (std::size_t k = 0; k < slides.size(); ++k) {  // a small turn of any slide lowers it no further
+    for (const double turn : {-1e-3, 1e-3}) {
+      Eigen::VectorXd other = turned;
+      other.segment<2>(static_cast<Eigen::Index>(2 * k)) = Eigen::Rotation2Dd(turn) * sections[k].x;
+      EXPECT_GE(energy(other), energy(turned) * (1 - 1e-9)) << "slide " << k;
+    }
+  }
+}
+
+// Where neighbours and radii disagree, the linear solution is short, and no minimum once it is taken to length 1.
+TEST(Orient, IsBetterThanTheLinearSolutionTakenToLength1) {
+  Random random(10);
+  double most = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<Ellipse> slides;
+    for (int i = 0; i < 4; ++i)
+      slides.push_back(random_ellipse(random, i % 2 ? Vector3::UnitX() : Vector3::UnitZ(), 0.3));
+    const NeighbourPairs pairs = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {1, 3}};
+    std::vector<double> linear, turned;
+    for (const SectionFrame& s : orient(slides, pairs, 4)) {
+      linear.push_back(std::atan2(s.linear.y(), s.linear.x()) / 4);
+      turned.push_back(std::atan2(s.x.y(), s.x.x()) / 4);
+    }
+    const double before = orientation_energy(slides, pairs, 4, linear);
+    const double after = orientation_energy(slides, pairs, 4, turned);
+    EXPECT_LE(after, before * (1 + 1e-9));
+    most = std::max(most, before / after - 1);
+  }
+  EXPECT_GT(most, 0.01) << "a test that tells something";
 }
 
 TEST(Orient, MinimisesEquation1ForParallelSlides) {

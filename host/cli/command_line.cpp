@@ -26,14 +26,14 @@ class CommandLine {
     add_check();
     add_params();
     add_strip();
-    validate_ = app_.add_subcommand("validate", "Check a scene's cages (not part of this version)");
+    add_validate();
     view_ = app_.add_subcommand("view", "Open the window (not part of this version)");
-    for (CLI::App* later : {validate_, view_}) later->allow_extras();
+    view_->allow_extras();
   }
 
   Invocation parse(int argc, const char* const* argv) {
     if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
-      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params and strip");
+      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params, strip and validate");
     }
     try {
       app_.parse(argc, argv);
@@ -51,8 +51,8 @@ class CommandLine {
     if (check_app_->parsed()) return check_;
     if (params_app_->parsed()) return params_;
     if (strip_app_->parsed()) return strip_;
-    const char* name = view_->parsed() ? "view" : "validate";
-    throw UsageError(in_quotes(name) + " is not part of this version; there are cage, check, params and strip");
+    if (validate_app_->parsed()) return validate();
+    throw UsageError("\"view\" is not part of this version; there are cage, check, params, strip and validate");
   }
 
  private:
@@ -77,18 +77,44 @@ class CommandLine {
     cage_app_->add_option("--iterations", iterations_, "Short for --set refine.iterations=N")
         ->type_name("NUMBER")
         ->check(number);
-    cage_app_->add_option("--set", set_, "Set a parameter; \"cagewright params\" lists them")
+    add_set(*cage_app_);
+    add_file(*cage_app_, "--report", cage_.report, "Figures of the run, JSON");
+    add_picture();
+    add_threads(*cage_app_, cage_.threads);
+    cage_app_->add_flag("--quiet", cage_.quiet, "No progress and no notes on stderr, only errors");
+    add_plugin(*cage_app_, cage_.plugin);
+  }
+
+  void add_validate() {
+    validate_app_ = app_.add_subcommand("validate", "Have Ceres check the plug-in's figures on a scene's cages");
+    CageCommand& cage = validate_.cage;
+    add_file(*validate_app_, "SCENE", cage.model, "A scene with slides, or any model that cage takes")->required();
+    add_file(*validate_app_, "--slides", cage.slides, "The cut slides, JSON; without it, those of the scene");
+    validate_app_->add_option("--node", cage.node, "Of a scene: the node with the mesh, where several have one")
+        ->type_name("NAME");
+    add_set(*validate_app_);
+    add_file(*validate_app_, "--report", cage.report, "What was found, JSON");
+    add_file(*validate_app_, "--html", validate_.html, "What was found, a page; its pictures need a display");
+    validate_app_->add_option("--starts", validate_.starts, "Random starts for equation (1) (default 200)")
+        ->check(CLI::Range(0, 1000000));
+    validate_app_->add_option("--seconds", validate_.seconds, "For the search of a tighter cage (default 120); 0: none")
+        ->check(CLI::Range(0.0, 1e6));
+    add_threads(*validate_app_, cage.threads);
+    validate_app_->add_flag("--quiet", cage.quiet, "No progress and no notes on stderr, only errors");
+    add_plugin(*validate_app_, cage.plugin);
+  }
+
+  void add_set(CLI::App& app) {
+    app.add_option("--set", set_, "Set a parameter; \"cagewright params\" lists them")
         ->type_name("ID=VALUE")
         ->allow_extra_args(false)
         ->check([](const std::string& text) -> std::string {
           return text.find('=') == 0 || text.find('=') == text.npos ? "needs ID=VALUE, not " + in_quotes(text) : "";
         });
-    add_file(*cage_app_, "--report", cage_.report, "Figures of the run, JSON");
-    add_picture();
-    cage_app_->add_option("--threads", cage_.threads, "0 (default): as many as the machine has")
-        ->check(CLI::Range(0, 4096));
-    cage_app_->add_flag("--quiet", cage_.quiet, "No progress and no notes on stderr, only errors");
-    add_plugin(*cage_app_, cage_.plugin);
+  }
+
+  static void add_threads(CLI::App& app, std::uint32_t& threads) {
+    app.add_option("--threads", threads, "0 (default): as many as the machine has")->check(CLI::Range(0, 4096));
   }
 
   template <class Path>
@@ -147,22 +173,32 @@ class CommandLine {
                                   {"--iterations", "refine.iterations", iterations_}}) {
       if (form.value) cage_.settings.push_back({form.id, *form.value, form.option + (" " + *form.value)});
     }
-    for (const std::string& text : set_) {
-      const std::size_t equals = text.find('=');
-      cage_.settings.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
-    }
+    append_settings(cage_);
     cage_.picture_options = to_options(picture_);
     return cage_;
   }
 
+  ValidateCommand validate() {
+    append_settings(validate_.cage);
+    return validate_;
+  }
+
+  void append_settings(CageCommand& command) const {
+    for (const std::string& text : set_) {
+      const std::size_t equals = text.find('=');
+      command.settings.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
+    }
+  }
+
   CLI::App app_;
   CLI::App *cage_app_ = nullptr, *check_app_ = nullptr, *params_app_ = nullptr, *strip_app_ = nullptr,
-           *validate_ = nullptr, *view_ = nullptr;
+           *validate_app_ = nullptr, *view_ = nullptr;
   CageCommand cage_;
   PictureArguments picture_;
   CheckCommand check_;
   ParamsCommand params_;
   StripCommand strip_;
+  ValidateCommand validate_;
   std::optional<std::string> delta_, lambda_, iterations_;
   std::vector<std::string> set_;
 };

@@ -38,6 +38,13 @@ struct CheckCommand {
   bool quiet = false;
 };
 
+struct ValidateCommand {
+  CageCommand cage;  // what is made; its `report` is the validation's, `out` and `picture` are empty
+  OptionalPath html;
+  std::size_t starts = 200;  // random ones, of the search over equation (1)
+  double seconds = 120;      // for the search of a tighter cage; 0: none
+};
+
 struct StripCommand {
   std::filesystem::path scene, out;
   bool quiet = false;
@@ -51,7 +58,7 @@ struct ParamsCommand {
 // Help or version was asked for and has been printed.
 struct Ended {};
 
-using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, Ended>;
+using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, ValidateCommand, Ended>;
 
 // Reads the command line; help and version go to stdout. Throws UsageError where something is wrong with it.
 Invocation parse_command_line(int argc, const char* const* argv);

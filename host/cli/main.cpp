@@ -15,6 +15,7 @@
 #include "host/cli/params_command.h"
 #include "host/cli/strip_command.h"
 #include "host/cli/text.h"
+#include "host/cli/validate_command.h"
 #include "host/file/file_error.h"
 #include "host/plugin_client/plugin_error.h"
 #include "host/view/picture.h"
@@ -28,6 +29,7 @@ struct Run {
   int operator()(const CheckCommand& command) const { return run_check(command); }
   int operator()(const ParamsCommand& command) const { return run_params(command); }
   int operator()(const StripCommand& command) const { return run_strip(command); }
+  int operator()(const ValidateCommand& command) const { return run_validate(command); }
   int operator()(const Ended&) const { return exit_done; }
 };
 

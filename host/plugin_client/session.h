@@ -12,6 +12,7 @@
 #include "host/file/slides_file.h"
 #include "host/file/triangle_mesh.h"
 #include "host/plugin_client/plugin.h"
+#include "host/plugin_client/records.h"
 
 namespace cagewright::host {
 
@@ -54,6 +55,10 @@ class Session {
   cgw_summary summary() const;
   Certificate certificate() const;
   Measures measures() const;
+  CutModel cut_model() const;
+  // Of each triangle of the cage: the part that it bounds.
+  std::vector<int> triangle_parts() const;
+  std::vector<IterationRecord> iterations() const;
   // Of each iteration, before its step, in model units.
   std::vector<double> max_signed_distances() const;
 

@@ -54,7 +54,7 @@ TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
   expect_load_error("/proc/self/maps", {"cannot be loaded"});
   expect_load_error("/lib/x86_64-linux-gnu/libm.so.6", {"no plug-in", CGW_ENTRY_POINT});
   for (const auto& [what, reason] :
-       {std::pair{"null_table", "does not serve ABI 1.1"}, std::pair{"small_table", "bytes"},
+       {std::pair{"null_table", "does not serve ABI 1.2"}, std::pair{"small_table", "bytes"},
         std::pair{"other_major", "has ABI 2.1"}, std::pair{"gaps", "has gaps"}}) {
     const Environment environment("CAGEWRIGHT_FAKE", what);
     expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});

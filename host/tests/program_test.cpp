@@ -228,5 +228,10 @@ TEST_F(ProgramTest, ParamsListsThePluginsParameters) {
   EXPECT_TRUE(list[0]["maximum"].is_null());
 }
 
+TEST_F(ProgramTest, ValidateRefusesFiguresThatDoNotFitTogether) {
+  const ProgramRun run = run_program({"validate", at("m.off"), "--slides", at("s.json"), "--seconds", "0"});
+  expect_failure(run, 4, {"internal error: the plug-in hands out ", "its figures cannot be checked"});
+}
+
 }  // namespace
 }  // namespace cagewright::host

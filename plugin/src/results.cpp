@@ -87,6 +87,7 @@ void read_section(const cgw_session& session, std::uint64_t index, cgw_section* 
     copy_vector(frame.p, section.p);
     copy_vector(frame.q, section.q);
     std::copy_n(frame.x.data(), 2, section.x);
+    std::copy_n(frame.linear.data(), 2, section.linear_x);
     const auto corners = frame.corners();
     for (std::size_t i = 0; i < 4; ++i) copy_vector(corners[i], section.corners + 3 * i);
   }

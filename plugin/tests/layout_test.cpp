@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What was released must not move: the numbers, and the layout of every struct of ABI 1.1 on 64-bit machines.
+// What was released must not move: the numbers, and the layout of every struct of ABI 1.2 on 64-bit machines.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using cagewright::plugin::test::api;
 
-static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 1);
+static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 2);
 static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 2);
 static_assert(CGW_ERROR_INTERNAL == -1 && CGW_ERROR_INVALID_ARGUMENT == -2 && CGW_ERROR_OUT_OF_MEMORY == -3);
 static_assert(CGW_ERROR_BUFFER_TOO_SMALL == -4 && CGW_ERROR_NOT_READY == -5 && CGW_ERROR_UNKNOWN_SLIDE == -6);
@@ -138,7 +138,7 @@ AT(cgw_loop, reserved, 4);
 AT(cgw_loop, point_count, 8);
 AT(cgw_loop, points, 16);
 AT(cgw_loop, point_capacity, 24);
-SIZE(cgw_section, 296);
+SIZE(cgw_section, 312);
 AT(cgw_section, reserved, 4);
 AT(cgw_section, slide, 8);
 AT(cgw_section, part_behind, 16);
@@ -152,6 +152,7 @@ AT(cgw_section, cage_vertex, 208);
 AT(cgw_section, normal, 224);
 AT(cgw_section, u, 248);
 AT(cgw_section, v, 272);
+AT(cgw_section, linear_x, 296);
 SIZE(cgw_cage, 72);
 AT(cgw_cage, reserved, 4);
 AT(cgw_cage, vertex_count, 8);
@@ -283,7 +284,7 @@ AT(cgw_api, evaluation_measures, 296);
 TEST(AbiTable, TellsItsSizeAndVersion) {
   EXPECT_EQ(api().struct_size, sizeof(cgw_api));
   EXPECT_EQ(api().abi_major, 1u);
-  EXPECT_EQ(api().abi_minor, 1u);
+  EXPECT_EQ(api().abi_minor, 2u);
   EXPECT_STREQ(api().version, CAGEWRIGHT_VERSION);
 }
 
@@ -304,6 +305,7 @@ TEST(AbiStructs, BeginWithDefaultsToTheirEnd) {
   EXPECT_EQ(section.part_ahead, -1);
   EXPECT_EQ(section.cage_vertex[3], -1);
   EXPECT_EQ(section.v[2], 0);
+  EXPECT_EQ(section.linear_x[1], 0);
   const cgw_summary summary = CGW_SUMMARY_INIT;
   EXPECT_EQ(summary.cage_genus, -1);
   EXPECT_EQ(summary.extent, 0);
