@@ -19,8 +19,8 @@ struct OuterHull {
 // that lies in no other. Found exactly; new points are then rounded to doubles. Triangles that are on it as a whole
 // stay as they are, vertices keep their coordinates and their order; of others the part that is on it is triangulated
 // anew, with no more points than its corners and what crosses its edges. Sheets that touch each other along an edge or
-// in a point get vertices of their own there, which are drawn inward by `apart` (model units; 0: they touch). Where such
-// a sheet is a saddle there is no inward, and it may still touch.
+// in a point get vertices of their own there, which are drawn inward by `apart` (model units; 0: they touch). Where
+// such a sheet is a saddle there is no inward, and it may still touch.
 // Precondition: finite points, indices in range; every edge has as many triangles in one direction as in the other.
 // Triangles without area, doubled vertices and overlaps in a plane are allowed. Throws Error(internal). Thread-safe.
 // O(n log n + pairs that meet + sum over triangles of (what meets it)^2).

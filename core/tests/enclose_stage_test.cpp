@@ -204,8 +204,10 @@ TEST(Enclose, SaysWhichSlidesAreInTheWayWhereItFails) {
   const Points first = crossed.points.middleRows(caps, 4);
   crossed.points.middleRows(caps, 4) = crossed.points.middleRows(caps + 4, 4);
   crossed.points.middleRows(caps + 4, 4) = first;
+  EncloseOptions options;
+  options.merge = false;
   const Enclosure enclosure =
-      enclose(refined.model, refined.result.segmentation, refined.result.sections, crossed, refined.names, {});
+      enclose(refined.model, refined.result.segmentation, refined.result.sections, crossed, refined.names, options);
   ASSERT_FALSE(enclosure.certificate.encloses());
   EXPECT_NE(enclosure.shortfall.find("could not be made to enclose"), std::string::npos) << enclosure.shortfall;
   EXPECT_NE(enclosure.shortfall.find("that is near the slides '"), std::string::npos) << enclosure.shortfall;
