@@ -201,7 +201,8 @@ cgw_status set_parameter_text(cgw_session* session, const char* id, const char* 
 }
 
 cgw_status get_parameter(const cgw_session* session, const char* id, double* value) {
-  *value = *find_parameter(const_cast<cgw_session*>(session), id);
+  const double* parameter = find_parameter(const_cast<cgw_session*>(session), id);
+  *value = parameter == nullptr ? 0 : *parameter;
   return CGW_OK;
 }
 
