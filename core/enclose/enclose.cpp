@@ -176,15 +176,26 @@ class Enclosing {
       movable_.place_all(points);
       result_.pushes += grow_through(movable_, *held, neighbours_, owners_, options_of_push(wanted_ + gap_ / 2),
                                      part_of(progress, begin, begin + 0.2));
-      const MergedLimbs limbs = merge_limbs(movable_, {wanted_, gap_, rounds_});
-      if (limbs.cage.triangles.rows() == 0) continue;
-      Enclosing merged(model_, movable_.segmentation(), sections_, limbs.cage, names_, options_);
-      merged.finish_merged(limbs.slides, result_.pushes, part_of(progress, begin + 0.2, begin + 0.5));
-      if (merged.result_.certificate.encloses() && (merged.result_.keeps_delta || !is_clear))
-        result = std::move(merged.result_);
+      result = take_merged(is_clear, part_of(progress, begin + 0.2, begin + 0.5));
     }
     movable_.place_all(before);
     return result;
+  }
+
+  std::optional<Enclosure> take_merged(bool is_clear, const Progress& progress) {
+    std::optional<MergedLimbs> limbs;
+    try {
+      limbs = merge_limbs(movable_, {wanted_, gap_, rounds_});
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::internal) throw;
+    }
+    // Walls whose hull cannot be told: the cage stays as it is, with its own sentence.
+    if (!limbs || limbs->cage.triangles.rows() == 0) return {};
+    Enclosing merged(model_, movable_.segmentation(), sections_, limbs->cage, names_, options_);
+    merged.finish_merged(limbs->slides, result_.pushes, progress);
+    const Enclosure& reached = merged.result_;
+    if (!reached.certificate.encloses() || !(reached.keeps_delta || !is_clear)) return {};
+    return std::move(merged.result_);
   }
 
   void finish_merged(const std::vector<std::pair<int, int>>& limbs, int pushes, const Progress& progress) {

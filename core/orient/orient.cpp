@@ -218,7 +218,8 @@ std::array<Vector3, 4> SectionFrame::corners() const {
   return {center + p + q, center - p + q, center - p - q, center + p - q};
 }
 
-std::vector<SectionFrame> orient(const std::vector<Ellipse>& slides, const NeighbourPairs& neighbours, double lambda) {
+std::vector<SectionFrame> orient(const std::vector<Ellipse>& slides, const NeighbourPairs& neighbours, double lambda,
+                                 OrientMinimum minimum) {
   std::vector<SectionFrame> sections;
   if (slides.empty()) return sections;
   Energy energy = equation_1(slides, neighbours, lambda);
@@ -226,7 +227,8 @@ std::vector<SectionFrame> orient(const std::vector<Ellipse>& slides, const Neigh
   const double weight = tolerance::tie_break_weight * energy.heaviest();
   for (std::size_t k = 0; k < slides.size(); ++k) energy.pull(static_cast<int>(k), Vector2::UnitX(), weight);
   const Eigen::VectorXd linear = energy.minimiser();
-  const Eigen::VectorXd x = UnitEnergy(energy, angles_of(linear)).minimise();
+  const Eigen::VectorXd x =
+      minimum == OrientMinimum::linear ? linear : UnitEnergy(energy, angles_of(linear)).minimise();
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(2 * k);
     sections.push_back(section_of(slides[k], x.segment<2>(row), linear.segment<2>(row)));

@@ -65,7 +65,7 @@ PipelineResult make_cage(const Model& model, const std::vector<Slide>& slides, c
   if (options.last_stage == Stage::segment) return finish();
 
   if (progress && !progress(segment_end, Stage::orient)) throw Error(ErrorCode::cancelled, "cancelled");
-  result.sections = orient(result.segmentation.ellipses, result.neighbours, options.lambda);
+  result.sections = orient(result.segmentation.ellipses, result.neighbours, options.lambda, options.orient_minimum);
   result.orient_ms = watch.lap_ms();
   result.last_stage = Stage::orient;
   if (options.last_stage == Stage::orient) return finish();

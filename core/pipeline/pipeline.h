@@ -14,6 +14,7 @@ enum class Stage { segment = 1, orient = 2, meshing = 3, refine = 4, enclose = 5
 
 struct PipelineOptions {
   double lambda = 4;  // of equation (5)
+  OrientMinimum orient_minimum = OrientMinimum::linear;
   RefineOptions refine;
   bool certify = true;  // false: the stage enclose is passed over
   EncloseOptions enclose;

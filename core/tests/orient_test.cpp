@@ -97,12 +97,14 @@ class PaperEnergy {
 void expect_minimises(const std::vector<Ellipse>& slides, const NeighbourPairs& pairs, double lambda) {
   const PaperEnergy energy(slides, pairs, lambda);
   const Eigen::VectorXd x = energy.minimiser();
-  const std::vector<SectionFrame> sections = orient(slides, pairs, lambda);
+  const std::vector<SectionFrame> sections = orient(slides, pairs, lambda, OrientMinimum::angles);
+  const std::vector<SectionFrame> as_linear = orient(slides, pairs, lambda);
   std::vector<double> angles;
   Eigen::VectorXd unit(x.size()), turned(x.size()), straight(x.size());
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(2 * k);
     EXPECT_LT((sections[k].linear - x.segment<2>(row)).norm(), 1e-5 * (1 + x.norm())) << "slide " << k;
+    EXPECT_EQ(as_linear[k].x, sections[k].linear);
     EXPECT_NEAR(sections[k].x.norm(), 1, 1e-12);
     turned.segment<2>(row) = sections[k].x;
     straight.segment<2>(row) = x.segment<2>(row).normalized();
@@ -134,7 +136,7 @@ TEST(Orient, IsBetterThanTheLinearSolutionTakenToLength1) {
       slides.push_back(random_ellipse(random, i % 2 ? Vector3::UnitX() : Vector3::UnitZ(), 0.3));
     const NeighbourPairs pairs = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {1, 3}};
     std::vector<double> linear, turned;
-    for (const SectionFrame& s : orient(slides, pairs, 4)) {
+    for (const SectionFrame& s : orient(slides, pairs, 4, OrientMinimum::angles)) {
       linear.push_back(std::atan2(s.linear.y(), s.linear.x()) / 4);
       turned.push_back(std::atan2(s.x.y(), s.x.x()) / 4);
     }

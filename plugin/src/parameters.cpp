@@ -25,14 +25,16 @@ enum Index : std::size_t {
   enclose_in_plane,
   enclose_corner_angle,
   enclose_tighten,
-  enclose_merge
+  enclose_merge,
+  orient_minimum
 };
 
 constexpr double default_lambda = PipelineOptions{}.lambda;
 constexpr RefineOptions default_refine{};
 constexpr EncloseOptions default_enclose{};
 
-constexpr const char* scope_names[] = {"local", "part"};  // in the order of RefineScope
+constexpr const char* scope_names[] = {"local", "part"};       // in the order of RefineScope
+constexpr const char* minimum_names[] = {"linear", "angles"};  // in the order of OrientMinimum
 constexpr const char* enclose_names[] = {"off", "certify"};
 
 constexpr cgw_parameter number(std::int32_t type, const char* id, const char* label, const char* doc, const char* unit,
@@ -87,6 +89,10 @@ constexpr std::array<cgw_parameter, Parameters::count> parameters = {
     number(CGW_PARAM_BOOLEAN, "enclose.merge", "Merge limbs",
            "Merge limbs whose cages run into each other, where nothing else encloses the model", "",
            default_enclose.merge ? 1 : 0, 0, 1),
+    choice("orient.minimum", "Minimum",
+           "Of equation (1): that of the linear solve, as in the paper (linear), or over the angles of the sections "
+           "(angles)",
+           minimum_names, static_cast<double>(PipelineOptions{}.orient_minimum)),
 };
 
 std::string to_text(double value) {
@@ -180,6 +186,7 @@ double Parameters::get(std::string_view id) const { return values_[index_of(id)]
 PipelineOptions Parameters::options(bool editing) const {
   PipelineOptions options;
   options.lambda = values_[lambda];
+  options.orient_minimum = static_cast<OrientMinimum>(values_[orient_minimum]);
   options.refine.delta = values_[delta];
   options.refine.iterations = static_cast<int>(values_[editing ? editing_iterations : iterations]);
   options.refine.scope = static_cast<RefineScope>(static_cast<int>(values_[scope]));

@@ -14,7 +14,7 @@ namespace cagewright::plugin {
 // The values of the plug-in's parameters, and the list that describes them. Their defaults are the core's.
 class Parameters {
  public:
-  static constexpr std::size_t count = 13;
+  static constexpr std::size_t count = 14;
 
   // In the order of parameter_info. The strings are static.
   static std::span<const cgw_parameter, count> list() noexcept;

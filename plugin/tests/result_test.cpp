@@ -322,9 +322,9 @@ TEST(AbiResults, SectionsSolveEquation1InTheirOwnFrame) {
     EXPECT_GT(std::abs(section.x[1]), 1e-3 * length) << "a frame that tells something";
     EXPECT_NEAR(std::cos(four_angles), section.x[0] / length, 1e-9);
     EXPECT_NEAR(std::sin(four_angles), section.x[1] / length, 1e-9);
-    EXPECT_NEAR(length, 1, 1e-12);
-    EXPECT_LT(std::hypot(section.linear_x[0], section.linear_x[1]), 1) << "slides that do not agree";
-    EXPECT_GT(section.x[0] * section.linear_x[0] + section.x[1] * section.linear_x[1], 0) << "x starts from there";
+    EXPECT_LT(length, 1) << "slides that do not agree";
+    EXPECT_EQ(section.x[0], section.linear_x[0]);
+    EXPECT_EQ(section.x[1], section.linear_x[1]);
   }
 }
 

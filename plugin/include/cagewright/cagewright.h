@@ -305,15 +305,16 @@ typedef struct cgw_section {
   double center[3];
   double p[3], q[3];      /* half edges of the rectangle as oriented: corners are center +- p +- q */
   double x[2];            /* the minimiser of equation (1) for this slide, in the frame (u, v) of this struct; the 4th
-                             power of p's direction is x / |x|. Since 1.2 over directions of length 1 */
+                             power of p's direction is x / |x|; over directions of length 1 with
+                             orient.minimum = angles */
   double corners[12];     /* 4 x 3: the section's corners in the cage as it is (refined, enclosing) */
   int32_t cage_vertex[4]; /* rows of the corners in cgw_cage.vertices; -1 before CGW_STAGE_MESHING, and for a corner
                              that is gone where limbs were merged (enclose.merge): corners then has it as oriented */
   double normal[3];       /* unit, along u x v */
   double u[3], v[3];      /* principal radii, |u| >= |v|; as the frame (u, v) of x: their directions */
   /* Since 1.2. */
-  double linear_x[2]; /* the minimiser of equation (1) as a quadratic form, of any length, as in the paper; x starts
-                         from its direction */
+  double linear_x[2]; /* the minimiser of equation (1) as a quadratic form, of any length, as in the paper: x itself,
+                         or where it starts from with orient.minimum = angles */
 } cgw_section;
 #define CGW_SECTION_INIT                                                                                         \
   {                                                                                                              \
