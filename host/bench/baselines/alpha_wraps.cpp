@@ -27,9 +27,7 @@ std::string text(const char* format, double first, double second) {
 }
 
 // Both collapses of the surface at that distance; true where one of them encloses.
-bool offer_decimated(BestCage& best, const Judge& judge, std::size_t triangles, double distance) {
-  // Finer than this it takes longer and the simplified surface does not change.
-  constexpr double alpha_divisor = 45;
+bool offer_decimated(BestCage& best, const Judge& judge, std::size_t triangles, double alpha_divisor, double distance) {
   const Stopwatch making;
   const Surface fine = wrap(judge, alpha_divisor, distance * judge.diagonal());
   const double made = making.seconds();
@@ -38,7 +36,7 @@ bool offer_decimated(BestCage& best, const Judge& judge, std::size_t triangles, 
     const Stopwatch simplifying;
     Surface cage = simplified(fine, triangles, collapse);
     const double seconds = made + simplifying.seconds();
-    const std::string parameters = text("offset %.4f of the diagonal, ", distance, 0) + name_of(collapse);
+    const std::string parameters = text("offset %.4f of the diagonal, alpha diagonal/%.0f, ", distance, alpha_divisor) + name_of(collapse);
     encloses = best.offer(std::move(cage), parameters, seconds) || encloses;
   }
   return encloses;
@@ -48,7 +46,7 @@ bool offer_decimated(BestCage& best, const Judge& judge, std::size_t triangles, 
 
 void search_alpha_wraps(BestCage& best, const Judge& judge, std::size_t most_triangles) {
   constexpr int halvings = 8;
-  for (const double offset_divisor : {50.0, 100.0, 200.0, 400.0, 600.0}) {
+  for (const double offset_divisor : {20.0, 30.0, 40.0, 50.0, 75.0, 100.0, 150.0, 200.0, 400.0, 800.0}) {
     double few = 2, many = 40;  // alpha is the diagonal over this: more triangles, the larger it is
     for (int step = 0; step < halvings; ++step) {
       const double divisor = std::sqrt(few * many);
@@ -64,15 +62,20 @@ void search_alpha_wraps(BestCage& best, const Judge& judge, std::size_t most_tri
 void search_decimated_offsets(BestCage& best, const Judge& judge, std::size_t most_triangles) {
   constexpr double least = 0.003, most = 0.12, factor = 1.35;
   constexpr int halvings = 4;
-  double too_near = least / factor, far_enough = least;
-  while (far_enough < most && !offer_decimated(best, judge, most_triangles, far_enough)) {
-    too_near = far_enough;
-    far_enough *= factor;
-  }
-  if (far_enough >= most) return;
-  for (int step = 0; step < halvings; ++step) {
-    const double distance = (too_near + far_enough) / 2;
-    (offer_decimated(best, judge, most_triangles, distance) ? far_enough : too_near) = distance;
+  for (const double alpha_divisor : {45.0, 90.0}) {
+    const auto encloses = [&](double distance) {
+      return offer_decimated(best, judge, most_triangles, alpha_divisor, distance);
+    };
+    double too_near = least / factor, far_enough = least;
+    while (far_enough < most && !encloses(far_enough)) {
+      too_near = far_enough;
+      far_enough *= factor;
+    }
+    if (far_enough >= most) continue;
+    for (int step = 0; step < halvings; ++step) {
+      const double distance = (too_near + far_enough) / 2;
+      (encloses(distance) ? far_enough : too_near) = distance;
+    }
   }
 }
 

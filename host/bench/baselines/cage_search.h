@@ -38,7 +38,7 @@ class BestCage {
   std::optional<FoundCage> best_;
 };
 
-// CGAL's alpha wrap (Portaneri et al. 2022) with that many triangles or fewer: offsets of the diagonal over 50 to 600, and
+// CGAL's alpha wrap (Portaneri et al. 2022) with that many triangles or fewer: offsets of the diagonal over 20 to 800, and
 // for each the smallest alpha that keeps to the number.
 void search_alpha_wraps(BestCage& best, const Judge& judge, std::size_t most_triangles);
 
@@ -47,7 +47,7 @@ void search_alpha_wraps(BestCage& best, const Judge& judge, std::size_t most_tri
 // surface encloses.
 void search_decimated_offsets(BestCage& best, const Judge& judge, std::size_t most_triangles);
 
-// Voxel grid (Ben-Chen et al. 2009; Xian et al.): the boundary of all cells that hold some of the model, made manifold by
+// Voxel grid (Ben-Chen et al. 2009): the boundary of all cells that hold some of the model, made manifold by
 // adding cells; as it is with that many triangles, and finer, grown by 0 to 2 cells and simplified to that many.
 void search_voxel_grids(BestCage& best, const Judge& judge, std::size_t most_triangles);
 

@@ -59,7 +59,7 @@ void offer_as_it_is(BestCage& best, const Judge& judge) {
 
 void search_voxel_grids(BestCage& best, const Judge& judge, std::size_t most_triangles) {
   offer_as_it_is(best, judge);
-  for (const double cells : {8.0, 10.0, 12.0, 14.0, 17.0, 20.0, 24.0, 29.0, 35.0, 42.0})
+  for (const double cells : {8.0, 10.0, 12.0, 14.0, 17.0, 20.0, 24.0, 29.0, 35.0, 42.0, 50.0, 60.0})
     for (int grown = 0; grown <= 2; ++grown) {
       const Stopwatch making;
       const Surface fine = voxelise(judge, cells, grown).boundary();
