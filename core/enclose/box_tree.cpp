@@ -5,6 +5,9 @@
 #include <numeric>
 #include <unsupported/Eigen/BVH>
 
+#include "core/enclose/triangle_distance.h"
+#include "core/mesh/tolerance.h"
+
 namespace cagewright {
 
 struct BoxTree::Tree {
@@ -73,19 +76,14 @@ void BoxTree::visit(const Box3& box, const std::function<bool(int triangle)>& vi
 
 void BoxTree::visit_near(const Triangle3& t, double distance, const std::function<bool(int triangle)>& visit) const {
   if (tree_->own.empty()) return;
-  constexpr double slack = 1e-12;
-  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
+  const Vector3 normal = unit_normal(t);
   Box3 box(t[0]);
   box.extend(t[1]).extend(t[2]);
   const double size = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) + distance;
   box.min().array() -= distance;
   box.max().array() += distance;
-  // The normal's error grows as a triangle gets thinner: of a thin one only the boxes count. Not less than: NaN is
-  // thin.
-  constexpr double thin = 1e-3;
-  const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
-  if (!(area > thin * box.sizes().squaredNorm())) return this->visit(box, visit);
-  const double half_width = distance + slack * (size + tree_->size);
+  if (is_thin(t, box)) return this->visit(box, visit);
+  const double half_width = distance + tolerance::rounding * (size + tree_->size);
   SlabQuery query{box, normal, normal.dot(t[0]), half_width, tree_->own, visit};
   Eigen::BVIntersect(tree_->boxes, query);
 }

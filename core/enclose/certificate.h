@@ -10,7 +10,8 @@ namespace cagewright {
 
 // What keeps a cage from enclosing its model, by exact tests. Triangles and vertices are rows of the meshes given.
 struct Certificate {
-  // A closed, consistently oriented 2-manifold; every component of it that lies in no other has a positive volume.
+  // A closed, consistently oriented 2-manifold by its vertex numbers: copies of a vertex at one place, as many files
+  // have them, have to be welded before; every component of it that lies in no other has a positive volume.
   bool closed = false;
   std::vector<int> degenerate_triangles;               // of the cage: corners on a line
   std::vector<std::array<int, 2>> self_intersections;  // pairs of cage triangles, the lower first, ascending

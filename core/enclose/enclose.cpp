@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -22,7 +23,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 using Whose = MovableCage::Whose;
 
-constexpr double push_share = 0.15, free_share = 0.3, clearance_share = 0.45;  // of the progress, where they end
+constexpr double push_share = 0.15, release_share = 0.2, free_share = 0.3,
+                 clearance_share = 0.45;  // of the progress, where they end
 
 Progress part_of(const Progress& progress, double begin, double end) {
   if (!progress) return {};
@@ -35,7 +37,6 @@ std::string quoted(const std::set<int>& slides, const std::vector<std::string>& 
   return text;
 }
 
-// Everything that the steps of enclosing share.
 // How far floats are apart where the model is.
 double float_step(const Points& points) { return std::numeric_limits<float>::epsilon() * points.cwiseAbs().maxCoeff(); }
 
@@ -46,6 +47,7 @@ bool floats_hold(const Points& points, double diagonal) {
   return in_range && float_step(points) < tolerance::coarsest_float * diagonal;
 }
 
+// Everything that the steps of enclosing share.
 class Enclosing {
  public:
   Enclosing(const Model& model, const Segmentation& segmentation, const std::vector<SectionFrame>& sections,
@@ -66,7 +68,9 @@ class Enclosing {
 
   Enclosure run(const Progress& progress) {
     bool is_clear = begin(shape_, part_of(progress, 0, push_share));
-    if (!is_clear && options_.in_plane) is_clear = begin_free(part_of(progress, push_share, free_share));
+    if (!is_clear && options_.in_plane)
+      is_clear = release_stuck(part_of(progress, push_share, release_share)) ||
+                 begin_free(part_of(progress, release_share, free_share));
     if (is_clear) keep(part_of(progress, free_share, clearance_share));
     result_.first_volume = movable_.volume();
     const Points loose = movable_.points();
@@ -95,7 +99,38 @@ class Enclosing {
     return is_free && push(shape, gap_, most_pushes, Whose::nobody, part_of(progress, 0.5, 1));
   }
 
-  // Where sections in plane get stuck: first free, then as many as can be into their planes.
+  // Where sections in plane get stuck: without those that hold what is stuck, where they are few.
+  bool release_stuck(const Progress& progress) {
+    const Points stuck = movable_.points();
+    SectionShape some(shape_);
+    if (2 * let_go_stuck(some) <= some.section_count()) {
+      movable_.place_all(cage_.points);
+      draw_back(movable_, some, sections_, guard_of(Whose::others), tolerance::round_the_loop * model_.diagonal);
+      if (push(some, gap_, most_pushes_released, Whose::others, part_of(progress, 0, 0.5))) {
+        flatten(movable_, shape_, some, owners_, guard_of(Whose::any), model_.diagonal, part_of(progress, 0.5, 1));
+        return true;
+      }
+    }
+    movable_.place_all(stuck);
+    return false;
+  }
+
+  // How many.
+  int let_go_stuck(SectionShape& shape) const {
+    const Outside outside = find_outside(movable_, neighbours_, gap_, options_.threads);
+    int count = 0;
+    for (int t = 0; t < movable_.triangle_count(); ++t) {
+      if (outside.meeting[static_cast<std::size_t>(t)].empty()) continue;
+      for (int i = 0; i < 3; ++i)
+        if (const int k = shape.section_of(movable_.vertex_of(t, i)); k >= 0 && !shape.is_released(k)) {
+          shape.release(k);
+          ++count;
+        }
+    }
+    return count;
+  }
+
+  // Where that does not do: all free first, then as many as can be into their planes.
   bool begin_free(const Progress& progress) {
     const Points stuck = movable_.points();
     movable_.place_all(cage_.points);
@@ -114,7 +149,7 @@ class Enclosing {
     push.gap = gap_;
     push.diagonal = model_.diagonal;
     push.most = most;
-    if (most == most_pushes_in_plane) push.patience = patience_in_plane;
+    if (most < most_pushes) push.patience = patience_in_plane;
     push.threads = options_.threads;
     push.guarded = guarded;
     const int steps = push_out(movable_, shape, neighbours_, owners_, push, progress);
@@ -157,9 +192,20 @@ class Enclosing {
     result_.keeps_delta = too_near_.slides.empty() && result_.certificate.encloses();
   }
 
-  void add_slides(int t, std::set<int>& slides) const {
+  void add_slides(int t, std::map<int, int>& slides) const {
     const auto part = static_cast<std::size_t>(cage_.triangle_part[static_cast<std::size_t>(t)]);
-    for (const PartSection& side : movable_.segmentation().parts[part].sections) slides.insert(side.slide);
+    for (const PartSection& side : movable_.segmentation().parts[part].sections) ++slides[side.slide];
+  }
+
+  // Those with the most failures.
+  std::string worst(const std::map<int, int>& slides) const {
+    std::vector<std::pair<int, int>> order;  // failures, falling, and slide
+    for (const auto& [k, count] : slides) order.emplace_back(-count, k);
+    std::sort(order.begin(), order.end());
+    std::set<int> named;
+    for (std::size_t i = 0; i < order.size() && i < most_named; ++i) named.insert(order[i].second);
+    return (order.size() > most_named ? "most of that is near the slides " : "that is near the slides ") +
+           quoted(named, names_);
   }
 
   std::string shortfall_of_certified() const {
@@ -191,7 +237,7 @@ class Enclosing {
   std::string shortfall() const {
     const Certificate& certificate = result_.certificate;
     if (certificate.encloses()) return shortfall_of_certified();
-    std::set<int> slides;
+    std::map<int, int> slides;  // and how many failures each is near
     for (const int t : certificate.degenerate_triangles) add_slides(t, slides);
     for (const auto& [s, t] : certificate.self_intersections) {
       add_slides(s, slides);
@@ -203,11 +249,12 @@ class Enclosing {
             std::to_string(certificate.model_cage_intersections.size()) + " model triangles cross it, " +
             std::to_string(certificate.vertices_outside.size()) + " model vertices are outside; ";
     if (slides.empty()) return text + "add slides";
-    text += "move or turn one of the slides " + quoted(slides, names_) + ", or add one between them";
+    text += worst(slides) + ": move or turn one of them, or add one between them";
     return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
-  static constexpr int most_pushes = 60, most_pushes_in_plane = 24, patience_in_plane = 8;
+  static constexpr int most_pushes = 60, most_pushes_in_plane = 24, most_pushes_released = 20, patience_in_plane = 8;
+  static constexpr std::size_t most_named = 4;  // slides, in a sentence
 
   const Model& model_;
   const std::vector<SectionFrame>& sections_;

@@ -7,22 +7,14 @@
 #include <limits>
 
 #include "core/enclose/triangle_distance.h"
+#include "core/mesh/tolerance.h"
 #include "core/parallel/parallel_for.h"
 
 namespace cagewright {
 namespace {
 
-constexpr int fields = 5;           // along each side of a triangle
-constexpr double coarse = 3;        // longest edge of a model triangle over the reach: beyond, vertices do not tell
-constexpr double rounding = 1e-12;  // of a distance, over the triangle's size: no direction beyond
-
-Vector3 normal_of(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
-
-// Whether the plane of t, of unit normal n, parts the two by more than `distance`.
-bool parts(const Triangle3& t, const Vector3& n, const Triangle3& other, double distance) {
-  const double a = n.dot(other[0] - t[0]), b = n.dot(other[1] - t[0]), c = n.dot(other[2] - t[0]);
-  return std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance;
-}
+constexpr int fields = 5;     // along each side of a triangle
+constexpr double coarse = 3;  // longest edge of a model triangle over the reach: beyond, vertices do not tell
 
 struct Near {
   double distance = std::numeric_limits<double>::infinity();
@@ -36,17 +28,17 @@ class TriangleContacts {
         t_(t),
         clearance_(clearance),
         corners_(movable.triangle(t)),
-        normal_(movable.normal(t)),
+        prism_(corners_, movable.box(t)),
         near_(fields * fields) {}
 
   void offer_point(const Vector3& p, double reach) {
-    if (std::abs(normal_.dot(p - corners_[0])) > reach) return;
+    if (prism_.parts_ball(p, reach)) return;
     const Vector3 weights = nearest_on_triangle(p, corners_);
     const double distance = (at_barycentric(corners_, weights) - p).norm();
     if (distance <= reach) offer({distance, weights, p});
   }
   void offer_triangle(const Triangle3& other, double reach) {
-    if (parts(corners_, normal_, other, reach) || parts(other, normal_of(other), corners_, reach)) return;
+    if (prism_.parts(other, reach) || plane_parts(other, unit_normal(other), corners_, reach)) return;
     const NearestPoints nearest = nearest_points(corners_, other);
     if (nearest.distance <= reach) offer({nearest.distance, nearest.on_s, at_barycentric(other, nearest.on_t)});
   }
@@ -65,7 +57,7 @@ class TriangleContacts {
   void add(const Near& near) {
     const Vector3 apart = at_barycentric(corners_, near.weights) - near.from;
     const double size = std::max(near.from.norm(), 1e-300);
-    const Vector3 n = near.distance > rounding * size ? Vector3(apart / near.distance) : movable_.normal(t_);
+    const Vector3 n = near.distance > tolerance::rounding * size ? Vector3(apart / near.distance) : movable_.normal(t_);
     found.push_back(contact_of(movable_, t_, near.weights, n, clearance_ - near.distance));
   }
 
@@ -73,7 +65,7 @@ class TriangleContacts {
   int t_;
   double clearance_;
   Triangle3 corners_;
-  Vector3 normal_;
+  Prism prism_;
   std::vector<Near> near_;
 };
 

@@ -11,26 +11,12 @@
 namespace cagewright {
 namespace {
 
-Vector3 normal_of(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
-
-// The normal's error grows as a triangle gets thinner: of a thin one only the box counts. Not less than: NaN is thin.
-bool is_thin(const Triangle3& t, const Box3& box) {
-  constexpr double thin = 1e-3;
-  return !((t[1] - t[0]).cross(t[2] - t[0]).norm() > thin * box.sizes().squaredNorm());
-}
-
 bool meet(const Triangle3& model_triangle, const Triangle3& cage_triangle) {
   if (is_degenerate(cage_triangle)) return true;
   if (!is_degenerate(model_triangle)) return triangles_meet(model_triangle, cage_triangle);
   for (std::size_t i = 0; i < 3; ++i)
     if (segment_meets_triangle(model_triangle[i], model_triangle[(i + 1) % 3], cage_triangle)) return true;
   return false;
-}
-
-// Whether the plane of t, of unit normal n, parts the two by more than `distance`.
-bool plane_parts(const Triangle3& t, const Vector3& n, const Triangle3& other, double distance) {
-  const double a = n.dot(other[0] - t[0]), b = n.dot(other[1] - t[0]), c = n.dot(other[2] - t[0]);
-  return std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance;
 }
 
 }  // namespace
@@ -74,7 +60,7 @@ void MovableCage::look_round(int t, double reach) const {
     return false;
   });
   if (!around.has_plane) return;
-  const Vector3 n = normal_of(around.at);
+  const Vector3 n = unit_normal(around.at);
   for (Ball& ball : around.balls) ball.height = static_cast<float>(n.dot(ball.center.cast<double>() - around.at[0]));
   std::sort(around.balls.begin(), around.balls.end(), [](const Ball& a, const Ball& b) {
     const float a_top = a.height + a.radius, b_top = b.height + b.radius;
@@ -96,12 +82,11 @@ const MovableCage::Neighbourhood& MovableCage::neighbourhood(int t, double dista
 }
 
 void MovableCage::visit_near(int t, double distance, const std::function<bool(int)>& visit) const {
-  constexpr double rounding = 1e-12, single_rounding = 1e-6;
+  constexpr double single_rounding = 1e-6;
   const Triangle3 now = triangle(t);
   const Box3& bounds = box(t);
-  const bool thin = is_thin(now, bounds);
-  const Vector3 n = thin ? Vector3::Zero() : normal_of(now);
-  const double offset = n.dot(now[0]), slack = distance + rounding * now[0].cwiseAbs().maxCoeff();
+  const Prism prism(now, bounds);
+  const double slack = distance + tolerance::rounding * now[0].cwiseAbs().maxCoeff();
   const Neighbourhood& around = neighbourhood(t, distance);
   // The triangle is still within `moved` of its old plane.
   const float slab =
@@ -113,7 +98,7 @@ void MovableCage::visit_near(int t, double distance, const std::function<bool(in
     }
     const Vector3 center = ball.center.cast<double>();
     const double reach = slack + static_cast<double>(ball.radius);
-    if (std::abs(n.dot(center) - offset) > reach) continue;
+    if (prism.parts_ball(center, reach)) continue;
     if (bounds.squaredExteriorDistance(center) > reach * reach) continue;
     if (visit(ball.triangle)) return;
   }
@@ -139,7 +124,7 @@ std::span<const int> MovableCage::parts_beyond(int model_triangle) const {
   return {parts_beyond_.data() + first_beyond_[k], static_cast<std::size_t>(first_beyond_[k + 1] - first_beyond_[k])};
 }
 
-Vector3 MovableCage::normal(int t) const { return normal_of(triangle(t)); }
+Vector3 MovableCage::normal(int t) const { return unit_normal(triangle(t)); }
 
 double MovableCage::volume() const {
   double six = 0;
@@ -186,13 +171,13 @@ bool MovableCage::is_asked(int t, int model_triangle, Whose whose) const {
 
 void MovableCage::visit_hits(int t, Whose whose, double clearance, const std::function<bool(int)>& visit) const {
   const Triangle3 corners = triangle(t);
-  const Vector3 n = normal_of(corners);
+  const Prism prism(corners, box(t));
   int& last = last_hit_[static_cast<std::size_t>(t)];
   visit_near(t, clearance, [&](int k) {
     const Triangle3 model_triangle = triangle_of(model(), k);
     if (clearance > 0) {
-      if (plane_parts(corners, n, model_triangle, clearance) ||
-          plane_parts(model_triangle, normal_of(model_triangle), corners, clearance))
+      if (prism.parts(model_triangle, clearance) ||
+          plane_parts(model_triangle, unit_normal(model_triangle), corners, clearance))
         return false;
       if (!are_nearer_than(model_triangle, corners, clearance) && !meet(model_triangle, corners)) return false;
     } else if (!meet(model_triangle, corners)) {
@@ -221,7 +206,7 @@ bool MovableCage::are_in_the_way(int t, int other, double gap) const {
   for (int i = 0; i < 3; ++i) shares = shares || (others.array() == corners(i)).any();
   const Triangle3 a = triangle(t), b = triangle(other);
   if (!shares && gap > 0) {
-    if (plane_parts(a, normal_of(a), b, gap) || plane_parts(b, normal_of(b), a, gap)) return false;
+    if (plane_parts(a, unit_normal(a), b, gap) || plane_parts(b, unit_normal(b), a, gap)) return false;
     if (are_nearer_than(a, b, gap)) return true;
   }
   // A triangle without area meets what it meets by its edges; it is in the way wherever boxes meet.

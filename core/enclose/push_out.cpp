@@ -106,7 +106,7 @@ class Pushing {
         if (outside.vertices[static_cast<std::size_t>(triangles(k, i))]) return;
     const Triangle3 corners = movable_.triangle(t), model = triangle_of(movable_.model(), k);
     const Vector3 middle = (model[0] + model[1] + model[2]) / 3, wall_normal = movable_.normal(t);
-    const Vector3 model_normal = (model[1] - model[0]).cross(model[2] - model[0]).stableNormalized();
+    const Vector3 model_normal = unit_normal(model);
     const Vector3 n = is_own && wall_normal.dot(model_normal) > faces ? wall_normal : model_normal;
     contacts.push_back(contact(t, {10 * margin_, nearest_on_triangle(middle, corners), n}));
   }

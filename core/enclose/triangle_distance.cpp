@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
+
+#include "core/mesh/tolerance.h"
 
 namespace cagewright {
 namespace {
@@ -52,7 +55,73 @@ bool foot_inside(const Vector3& p, const Triangle3& t, Vector3& weights) {
   return weights.minCoeff() >= 0;
 }
 
+// Calls `visit(squared distance, weights)`, where weights() gives both points by barycentric coordinates, with every
+// pair of points that may be the nearest, until it returns true; whether it did.
+template <class Visit>
+bool visit_candidates(const Triangle3& s, const Triangle3& t, const Visit& visit) {
+  Vector3 foot;
+  const auto of_s = [&](std::size_t i) { return [&foot, i] { return std::pair(on_edge(i, 0), foot); }; };
+  const auto of_t = [&](std::size_t i) { return [&foot, i] { return std::pair(foot, on_edge(i, 0)); }; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (foot_inside(s[i], t, foot) && visit((at_barycentric(t, foot) - s[i]).squaredNorm(), of_s(i))) return true;
+    if (foot_inside(t[i], s, foot) && visit((at_barycentric(s, foot) - t[i]).squaredNorm(), of_t(i))) return true;
+    const Vector3& p = s[i];
+    const Vector3& q = s[(i + 1) % 3];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vector3& a = t[j];
+      const Vector3& b = t[(j + 1) % 3];
+      const auto [along_s, along_t] = nearest_of_segments(p, q, a, b);
+      const auto weights = [i, j, s_share = along_s, t_share = along_t] {
+        return std::pair(on_edge(i, s_share), on_edge(j, t_share));
+      };
+      if (visit((p + along_s * (q - p) - a - along_t * (b - a)).squaredNorm(), weights)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+Vector3 unit_normal(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
+
+// Not less than: NaN is thin.
+bool is_thin(const Triangle3& t, const Eigen::AlignedBox3d& box) {
+  return !((t[1] - t[0]).cross(t[2] - t[0]).norm() > tolerance::thin_triangle * box.sizes().squaredNorm());
+}
+
+bool plane_parts(const Triangle3& t, const Vector3& n, const Triangle3& other, double distance) {
+  const double a = n.dot(other[0] - t[0]), b = n.dot(other[1] - t[0]), c = n.dot(other[2] - t[0]);
+  return std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance;
+}
+
+Prism::Prism(const Triangle3& t, const Eigen::AlignedBox3d& box) : is_thin_(is_thin(t, box)), normal_(unit_normal(t)) {
+  if (is_thin_) return;
+  offset_ = normal_.dot(t[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sides_[i] = (t[(i + 1) % 3] - t[i]).cross(normal_).stableNormalized();
+    side_offsets_[i] = sides_[i].dot(t[i]);
+  }
+}
+
+bool Prism::parts_ball(const Vector3& center, double distance) const {
+  if (is_thin_) return false;
+  if (std::abs(normal_.dot(center) - offset_) > distance) return true;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sides_[i].dot(center) - side_offsets_[i] > distance) return true;
+  return false;
+}
+
+bool Prism::parts(const Triangle3& other, double distance) const {
+  if (is_thin_) return false;
+  const double a = normal_.dot(other[0]) - offset_, b = normal_.dot(other[1]) - offset_,
+               c = normal_.dot(other[2]) - offset_;
+  if (std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double least = std::min({sides_[i].dot(other[0]), sides_[i].dot(other[1]), sides_[i].dot(other[2])});
+    if (least - side_offsets_[i] > distance) return true;
+  }
+  return false;
+}
 
 Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t) {
   Vector3 weights;
@@ -71,49 +140,22 @@ Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t) {
 }
 
 NearestPoints nearest_points(const Triangle3& s, const Triangle3& t) {
+  double least = std::numeric_limits<double>::infinity();
   NearestPoints best;
-  best.distance = std::numeric_limits<double>::infinity();
-  const auto offer = [&](double squared, const Vector3& on_s, const Vector3& on_t) {
-    if (squared < best.distance) best = {squared, on_s, on_t};
-  };
-  Vector3 foot;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (foot_inside(s[i], t, foot)) offer((at_barycentric(t, foot) - s[i]).squaredNorm(), on_edge(i, 0), foot);
-    if (foot_inside(t[i], s, foot)) offer((at_barycentric(s, foot) - t[i]).squaredNorm(), foot, on_edge(i, 0));
-    const Vector3& p = s[i];
-    const Vector3& q = s[(i + 1) % 3];
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vector3& a = t[j];
-      const Vector3& b = t[(j + 1) % 3];
-      const auto [along_s, along_t] = nearest_of_segments(p, q, a, b);
-      const double squared = (p + along_s * (q - p) - a - along_t * (b - a)).squaredNorm();
-      if (squared < best.distance) best = {squared, on_edge(i, along_s), on_edge(j, along_t)};
-    }
-  }
-  best.distance = std::sqrt(best.distance);
+  visit_candidates(s, t, [&](double squared, const auto& weights) {
+    if (squared >= least) return false;
+    least = squared;
+    std::tie(best.on_s, best.on_t) = weights();
+    return false;
+  });
+  best.distance = std::sqrt(least);
   return best;
 }
 
 double triangle_distance(const Triangle3& s, const Triangle3& t) { return nearest_points(s, t).distance; }
 
 bool are_nearer_than(const Triangle3& s, const Triangle3& t, double distance) {
-  const auto is_nearer = [&](double squared) { return std::sqrt(squared) < distance; };
-  Vector3 foot;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (foot_inside(s[i], t, foot) && is_nearer((at_barycentric(t, foot) - s[i]).squaredNorm())) return true;
-    if (foot_inside(t[i], s, foot) && is_nearer((at_barycentric(s, foot) - t[i]).squaredNorm())) return true;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3& p = s[i];
-    const Vector3& q = s[(i + 1) % 3];
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vector3& a = t[j];
-      const Vector3& b = t[(j + 1) % 3];
-      const auto [along_s, along_t] = nearest_of_segments(p, q, a, b);
-      if (is_nearer((p + along_s * (q - p) - a - along_t * (b - a)).squaredNorm())) return true;
-    }
-  }
-  return false;
+  return visit_candidates(s, t, [&](double squared, const auto&) { return std::sqrt(squared) < distance; });
 }
 
 }  // namespace cagewright

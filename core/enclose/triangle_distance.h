@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "core/enclose/triangle_intersection.h"
 
 namespace cagewright {
@@ -22,6 +24,33 @@ NearestPoints nearest_points(const Triangle3& s, const Triangle3& t);
 
 // Barycentric coordinates of the point of t that is nearest to p.
 Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t);
+
+// Unit; zero for a triangle without area.
+Vector3 unit_normal(const Triangle3& t);
+
+// Whether it is too thin for its normal to be relied on: of such ones only boxes count. `box` is its own.
+bool is_thin(const Triangle3& t, const Eigen::AlignedBox3d& box);
+
+// The plane of a triangle and those through its edges across it: what lies beyond one of them by more than a distance
+// is farther than that from the triangle.
+class Prism {
+ public:
+  // `box`: of t. Of a thin triangle nothing is told.
+  Prism(const Triangle3& t, const Eigen::AlignedBox3d& box);
+
+  bool parts_ball(const Vector3& center, double distance) const;
+  bool parts(const Triangle3& other, double distance) const;
+
+ private:
+  bool is_thin_;
+  Vector3 normal_;
+  double offset_ = 0;
+  std::array<Vector3, 3> sides_;  // unit, outward
+  std::array<double, 3> side_offsets_{};
+};
+
+// Whether the plane of t, of unit normal n, parts the two by more than `distance`.
+bool plane_parts(const Triangle3& t, const Vector3& n, const Triangle3& other, double distance);
 
 inline Vector3 at_barycentric(const Triangle3& t, const Vector3& weights) {
   return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];

@@ -82,14 +82,6 @@ std::size_t orient_outward(IndexedMesh& mesh, const Connectivity& connectivity) 
   return turned;
 }
 
-// Of each vertex an input row, by the corners of triangles that are not turned yet.
-std::vector<int> find_given_vertices(const WeldedMesh& welded) {
-  std::vector<int> given(static_cast<std::size_t>(welded.mesh.points.rows()), -1);
-  for (Eigen::Index k = welded.given.size() - 1; k >= 0; --k)
-    given[static_cast<std::size_t>(welded.mesh.triangles.data()[k])] = welded.given.data()[k];
-  return given;
-}
-
 }  // namespace
 
 Model prepare_model(const IndexedMesh& mesh) {

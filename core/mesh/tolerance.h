@@ -26,13 +26,15 @@ inline constexpr double push_margin = 1e-4;    // by which a push clears the mod
 inline constexpr double looked_beyond = 0.01;  // by a cage triangle for the model near it; over the diagonal
 inline constexpr double longest_push = 0.02;   // of a vertex by one step; over the diagonal
 inline constexpr double round_the_loop = 1e-3;  // left round a slide's loop; over the diagonal
+inline constexpr double thin_triangle = 1e-3;   // twice the area over its box's diagonal squared: no sure normal
+inline constexpr double rounding = 1e-12;       // of a length that was computed, over the coordinates
 inline constexpr double least_gap = 2e-6;       // from cage to model and between its triangles; over the diagonal
 inline constexpr double coarsest_float =
     1e-4;  // between floats where a cage is still rounded to them; over the diagonal
 inline constexpr double contact_slack = 4e-6;            // what tightening leaves beyond it; over the diagonal
 inline constexpr double first_tightening_step = 1.2e-2;  // of a vertex; over the diagonal
 inline constexpr double least_tightening_step = 4e-4;    // shorter ones are not tried; over the diagonal
-inline constexpr double least_tightening = 1e-3;         // of the volume, by one step; less makes steps shorter
+inline constexpr double least_tightening = 5e-4;         // of the volume, by one step; less makes steps shorter
 inline constexpr double diverged = 10.0;     // a cage vertex farther than this from the model's box has flown
 inline constexpr double mirror = 1e-3;       // mean distance of a symmetric model from its mirror image
 inline constexpr double same_mirror = 0.99;  // cosine between normals of mirror planes that are one

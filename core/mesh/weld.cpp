@@ -130,4 +130,11 @@ WeldedMesh weld(const IndexedMesh& mesh) {
   return welded;
 }
 
+std::vector<int> find_given_vertices(const WeldedMesh& welded) {
+  std::vector<int> given(static_cast<std::size_t>(welded.mesh.points.rows()), -1);
+  for (Eigen::Index k = welded.given.size() - 1; k >= 0; --k)
+    given[static_cast<std::size_t>(welded.mesh.triangles.data()[k])] = welded.given.data()[k];
+  return given;
+}
+
 }  // namespace cagewright

@@ -24,4 +24,8 @@ struct WeldedMesh {
 // (element = triangle). Thread-safe. O(n).
 WeldedMesh weld(const IndexedMesh& mesh);
 
+// Of each vertex the first of the input's rows that a kept triangle names for it. Precondition: no triangle has been
+// turned since. Thread-safe. O(n).
+std::vector<int> find_given_vertices(const WeldedMesh& welded);
+
 }  // namespace cagewright

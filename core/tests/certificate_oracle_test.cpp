@@ -11,9 +11,9 @@
 #include "core/pipeline/pipeline.h"
 #include "core/tests/meshes.h"
 #include "core/tests/off_file.h"
-#include "core/tests/oracle.h"
 #include "core/tests/random_numbers.h"
 #include "core/tests/shapes.h"
+#include "testdata/oracle/oracle.h"
 
 // The certificate against an independent judge, with exact predicates of its own. CAGEWRIGHT_ORACLE comes from CMake
 // and may be empty.
@@ -28,8 +28,6 @@
 //   that is about the angle there, or chance; to us a vertex on the cage is not inside.
 namespace cagewright {
 namespace {
-
-const std::string oracle = CAGEWRIGHT_ORACLE;
 
 std::string text_of(const Certificate& c) {
   return std::string(c.closed ? "closed" : "not closed") + ", " + std::to_string(c.degenerate_triangles.size()) +

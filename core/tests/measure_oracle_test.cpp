@@ -9,16 +9,15 @@
 #include "core/measure/tightness.h"
 #include "core/pipeline/pipeline.h"
 #include "core/tests/off_file.h"
-#include "core/tests/oracle.h"
 #include "core/tests/random_numbers.h"
 #include "core/tests/shapes.h"
+#include "testdata/oracle/oracle.h"
 
 // The figures against an independent judge.
 // CAGEWRIGHT_ORACLE and CAGEWRIGHT_MVC_CAGES come from CMake and may be empty.
 namespace cagewright {
 namespace {
 
-const std::string oracle = CAGEWRIGHT_ORACLE;
 const std::filesystem::path mvc_cages = CAGEWRIGHT_MVC_CAGES;
 
 IndexedMesh read_obj(const std::filesystem::path& path) {

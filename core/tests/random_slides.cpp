@@ -16,9 +16,9 @@
 #include "core/error/error.h"
 #include "core/pipeline/pipeline.h"
 #include "core/tests/off_file.h"
-#include "core/tests/oracle.h"
 #include "core/tests/shapes.h"
 #include "core/tests/slide_sets.h"
+#include "testdata/oracle/oracle.h"
 
 namespace cagewright {
 namespace {

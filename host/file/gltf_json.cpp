@@ -177,6 +177,11 @@ std::optional<double> number_in(const GltfJson& json) {
   return error == std::errc() ? value : std::copysign(0.0, *begin == '-' ? -1.0 : 1.0);
 }
 
+std::optional<int> index_in(const GltfJson* json) {
+  if (json == nullptr || !json->is_number_integer()) return {};
+  return json->get<int>();
+}
+
 const GltfJson* find_key(const GltfJson& json, std::string_view key) {
   if (!json.is_object()) return nullptr;
   const auto found = json.find(std::string(key));

@@ -27,6 +27,9 @@ std::string gltf_json_text(const GltfJson& json, int indent = -1);
 // A finite number, however it is kept; empty where it is none.
 std::optional<double> number_in(const GltfJson& json);
 
+// An integer, as indices are; empty where it is none or `json` is null.
+std::optional<int> index_in(const GltfJson* json);
+
 // The value of a key, or null where `json` is no object or does not have it.
 const GltfJson* find_key(const GltfJson& json, std::string_view key);
 GltfJson* find_key(GltfJson& json, std::string_view key);

@@ -31,11 +31,7 @@ std::vector<int> items_of(const CageBlock& block, std::size_t array) {
 
 std::string pointer_to(const char* array) { return std::string("/").append(array); }
 
-std::optional<int> index_in(const GltfJson& object, const char* key) {
-  const GltfJson* found = find_key(object, key);
-  if (found == nullptr || !found->is_number_integer()) return {};
-  return found->get<int>();
-}
+std::optional<int> index_at(const GltfJson& object, const char* key) { return index_in(find_key(object, key)); }
 
 const GltfJson* item(const GltfJson& json, const char* array, std::optional<int> index) {
   const GltfJson* items = find_key(json, array);
@@ -115,15 +111,15 @@ std::optional<CageBlock> block_of(const GltfJson& json, int mesh) {
   if (!primitives || !primitives->is_array() || primitives->size() != 1) return {};
   const GltfJson* attributes = find_key((*primitives)[0], "attributes");
   if (!attributes || attributes->size() != 1 || find_key((*primitives)[0], "targets")) return {};
-  const auto positions = index_in(*attributes, "POSITION"), indices = index_in((*primitives)[0], "indices");
+  const auto positions = index_at(*attributes, "POSITION"), indices = index_at((*primitives)[0], "indices");
   const GltfJson *position_json = item(json, "accessors", positions), *index_json = item(json, "accessors", indices);
   if (!position_json || !index_json || positions == indices) return {};
-  const auto position_view = index_in(*position_json, "bufferView"), index_view = index_in(*index_json, "bufferView");
+  const auto position_view = index_at(*position_json, "bufferView"), index_view = index_at(*index_json, "bufferView");
   const GltfJson *first = item(json, "bufferViews", position_view), *second = item(json, "bufferViews", index_view);
   if (!first || !second || position_view == index_view) return {};
-  const auto buffer = index_in(*first, "buffer");
+  const auto buffer = index_at(*first, "buffer");
   const GltfJson* buffer_json = item(json, "buffers", buffer);
-  if (!buffer_json || index_in(*second, "buffer") != buffer) return {};
+  if (!buffer_json || index_at(*second, "buffer") != buffer) return {};
   const GltfJson* uri = find_key(*buffer_json, "uri");
   if (!uri || !uri->is_string() || uri->get_ref<const std::string&>().rfind("data:", 0) != 0) return {};
   return CageBlock{mesh, *positions, *indices, *position_view, *index_view, *buffer};

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::array<std::string_view, 5> own_keys = {"name", "translation", "rotation", "scale", "matrix"};
 
-bool is_own_name(std::string_view name) { return name == slide_extension || name == cage_extension; }
-
 // Takes what is ours out of an array of node numbers.
 void remove_items(SceneBase& base, GltfJson& object, const char* key, const std::string& pointer,
                   const std::set<int>& ours) {
@@ -54,7 +52,7 @@ void remove_own_requirements(GltfJson& json) {
   if (required == nullptr) return;
   GltfJson kept = GltfJson::array();
   for (GltfJson& name : *required) {
-    if (!is_own_name(name.get_ref<const std::string&>())) kept.push_back(std::move(name));
+    if (!is_own_extension(name.get_ref<const std::string&>())) kept.push_back(std::move(name));
   }
   const bool had_ours = kept.size() != required->size();
   *required = std::move(kept);
@@ -75,7 +73,7 @@ bool has_content_of_others(const GltfJson& node, bool is_cage) {
     if (item.key() == "extensions" || item.key() == "extras") {
       const auto& all = item.value().items();
       return item.value().is_object() &&
-             std::all_of(all.begin(), all.end(), [](const auto& each) { return is_own_name(each.key()); });
+             std::all_of(all.begin(), all.end(), [](const auto& each) { return is_own_extension(each.key()); });
     }
     if (item.key() == "children") return item.value().empty();
     if (item.key() == "mesh") return is_cage;

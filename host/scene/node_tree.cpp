@@ -40,11 +40,6 @@ std::optional<Eigen::Affine3d> inverse_of(const Eigen::Affine3d& transform) {
   return has_inverse ? std::optional(inverse) : std::nullopt;
 }
 
-std::optional<int> index_in(const GltfJson* json) {
-  if (json == nullptr || !json->is_number_integer()) return {};
-  return json->get<int>();
-}
-
 }  // namespace
 
 NodeTree::NodeTree(const std::filesystem::path& path, const GltfJson& json, const tinygltf::Model& model)

@@ -12,8 +12,6 @@
 namespace cagewright::host {
 namespace {
 
-bool is_own_name(const GltfJson& name) { return name == slide_extension || name == cage_extension; }
-
 bool same_ellipse(const Slide::Ellipse& a, const Slide::Ellipse& b) {
   return a.center == b.center && a.u == b.u && a.v == b.v;
 }
@@ -279,7 +277,9 @@ class PuttingTogether {
       }
     }
     const GltfJson* others = find_key(base_.json, "extensionsUsed");
-    const bool was_empty = others && std::all_of(others->begin(), others->end(), is_own_name);
+    const bool was_empty = others && std::all_of(others->begin(), others->end(), [](const GltfJson& name) {
+                             return name.is_string() && is_own_extension(name.get_ref<const std::string&>());
+                           });
     if (was_empty && (others->empty() || base_.keeps.count("/extensionsUsed") > 0)) filled_.insert("/extensionsUsed");
   }
 

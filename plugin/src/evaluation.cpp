@@ -37,15 +37,6 @@ void name_given_rows(const GivenRows& rows, Certificate& certificate) {
   for (int& v : certificate.vertices_outside) v = given(rows.model_vertices, v);
 }
 
-// Of each welded vertex the first row of the input at its place.
-std::vector<int> first_rows(const WeldedMesh& welded) {
-  std::vector<int> rows(static_cast<std::size_t>(welded.mesh.points.rows()), -1);
-  for (Eigen::Index k = welded.given.size() - 1; k >= 0; --k) {
-    rows[static_cast<std::size_t>(welded.mesh.triangles.data()[k])] = welded.given.data()[k];
-  }
-  return rows;
-}
-
 void add_dropped_triangles(const WeldedMesh& welded, Eigen::Index given_count, Certificate& certificate) {
   std::size_t kept = 0;
   for (int t = 0; t < static_cast<int>(given_count); ++t) {
@@ -91,7 +82,7 @@ std::unique_ptr<cgw_evaluation> evaluate(const cgw_mesh* model, const cgw_mesh* 
   Certificate& found = evaluation->certificate.found;
   found = certify(welded_model.mesh, welded_cage.mesh, workers);
   evaluation->figures.measures = measure_cage(welded_model.mesh, welded_cage.mesh, found, workers);
-  name_given_rows({first_rows(welded_model), welded_model.given_rows, welded_cage.given_rows}, found);
+  name_given_rows({find_given_vertices(welded_model), welded_model.given_rows, welded_cage.given_rows}, found);
   add_dropped_triangles(welded_cage, given_cage.triangles.rows(), found);
   return evaluation;
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "host/tests/models/model_cage.h"
-#include "host/tests/models/oracle.h"
+#include "testdata/oracle/oracle.h"
 
 namespace cagewright::host {
 namespace {
@@ -95,8 +95,8 @@ class HandMadeCage : public testing::Test {
     EXPECT_LE(report["tightness"]["mean_gap_over_diagonal"], asked.mean_gap);
     EXPECT_LE(report["quality"]["worst_squareness"], 15.01 * std::numbers::pi / 180);
     EXPECT_LE(report["quality"]["worst_planarity_over_diagonal"], 1e-6) << "rounded to floats";
-    if (why_no_oracle()) return;
-    const json verdict = ask_oracle(model, folder / "cage.obj");
+    if (oracle.empty()) return;
+    const json verdict = ask_oracle(oracle, model, folder / "cage.obj");
     for (const char* count : {"self_intersecting_pairs", "model_triangles_crossing_cage", "model_vertices_outside"}) {
       EXPECT_EQ(verdict[count], 0) << count;
     }

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "host/tests/models/oracle.h"
+#include "testdata/oracle/oracle.h"
 
 namespace cagewright::host {
 namespace {
@@ -89,8 +89,8 @@ TEST_P(ModelCage, IsAtMostTwiceAsLargeAsTheModel) {
 }
 
 TEST_P(ModelCage, IndependentOracleAgrees) {
-  if (const auto why = why_no_oracle()) GTEST_SKIP() << *why;
-  const json verdict = ask_oracle(GetParam().file(), folder / "cage.obj");
+  if (oracle.empty()) GTEST_SKIP() << no_oracle;
+  const json verdict = ask_oracle(oracle, GetParam().file(), folder / "cage.obj");
   EXPECT_EQ(verdict["closed"], true);
   EXPECT_EQ(verdict["euler"], 2 - 2 * GetParam().genus);
   EXPECT_EQ(verdict["cage_vertices"], result.report()["cage"]["vertices"]);

@@ -7,12 +7,14 @@
 
 namespace cagewright {
 
-inline constexpr const char* no_oracle =
-    "no oracle: configure with -DCAGEWRIGHT_ORACLE_SOURCE=FILE and the host, with CGAL, Boost, GMP and MPFR installed";
+// An independent judge of cages, a program `ORACLE MODEL CAGE` that prints one JSON object; empty where there is none.
+inline const std::string oracle = CAGEWRIGHT_ORACLE;
 
-// Asks an independent judge of cages, a program `ORACLE MODEL CAGE` that prints one JSON object. Throws
-// std::runtime_error where it gives no verdict. Thread-safe.
-nlohmann::json ask_oracle(const std::string& oracle, const std::filesystem::path& model,
+inline constexpr const char* no_oracle =
+    "no oracle: configure with -DCAGEWRIGHT_ORACLE_SOURCE=FILE, with CGAL, Boost, GMP and MPFR installed";
+
+// Asks such a program. Throws std::runtime_error where it gives no verdict. Thread-safe.
+nlohmann::json ask_oracle(const std::string& program, const std::filesystem::path& model,
                           const std::filesystem::path& cage);
 
 // What it says of the certificate's conditions.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tests/oracle.h"
+#include "testdata/oracle/oracle.h"
 
 #include <array>
 #include <cstdio>
@@ -16,9 +16,9 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-nlohmann::json ask_oracle(const std::string& oracle, const std::filesystem::path& model,
+nlohmann::json ask_oracle(const std::string& program, const std::filesystem::path& model,
                           const std::filesystem::path& cage) {
-  const std::string command = quoted(oracle) + " " + quoted(model.string()) + " " + quoted(cage.string());
+  const std::string command = quoted(program) + " " + quoted(model.string()) + " " + quoted(cage.string());
   std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("the oracle does not start");
   std::string output;
