@@ -9,7 +9,7 @@ from pathlib import Path
 from models import ROOT
 
 BIN = Path(os.environ.get("CAGEWRIGHT_BIN") or ROOT / "build/release/bin")
-ORACLE = Path(os.environ.get("CAGEWRIGHT_ORACLE") or ROOT / "build/release/host/tests/models/cagewright_oracle")
+ORACLE = Path(os.environ.get("CAGEWRIGHT_ORACLE") or ROOT / "build/release/testdata/oracle/cagewright_oracle")
 
 
 class ProgramError(Exception):
