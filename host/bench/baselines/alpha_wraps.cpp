@@ -36,7 +36,8 @@ bool offer_decimated(BestCage& best, const Judge& judge, std::size_t triangles, 
     const Stopwatch simplifying;
     Surface cage = simplified(fine, triangles, collapse);
     const double seconds = made + simplifying.seconds();
-    const std::string parameters = text("offset %.4f of the diagonal, alpha diagonal/%.0f, ", distance, alpha_divisor) + name_of(collapse);
+    const std::string parameters =
+        text("offset %.4f of the diagonal, alpha diagonal/%.0f, ", distance, alpha_divisor) + name_of(collapse);
     encloses = best.offer(std::move(cage), parameters, seconds) || encloses;
   }
   return encloses;

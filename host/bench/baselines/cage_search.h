@@ -38,13 +38,13 @@ class BestCage {
   std::optional<FoundCage> best_;
 };
 
-// CGAL's alpha wrap (Portaneri et al. 2022) with that many triangles or fewer: offsets of the diagonal over 20 to 800, and
-// for each the smallest alpha that keeps to the number.
+// CGAL's alpha wrap (Portaneri et al. 2022) with that many triangles or fewer: offsets of the diagonal over 20 to 800,
+// and for each the smallest alpha that keeps to the number.
 void search_alpha_wraps(BestCage& best, const Judge& judge, std::size_t most_triangles);
 
-// Offset and decimated (Deng et al. 2011; Sander et al. 2000): a fine surface at a distance, simplified by edge collapses
-// (Lindstrom-Turk, and quadrics by Garland and Heckbert) to that many triangles; the least distance whose simplified
-// surface encloses.
+// Offset and decimated (Deng et al. 2011; Sander et al. 2000): a fine surface at a distance, simplified by edge
+// collapses (Lindstrom-Turk, and quadrics by Garland and Heckbert) to that many triangles; the least distance whose
+// simplified surface encloses.
 void search_decimated_offsets(BestCage& best, const Judge& judge, std::size_t most_triangles);
 
 // Voxel grid (Ben-Chen et al. 2009): the boundary of all cells that hold some of the model, made manifold by

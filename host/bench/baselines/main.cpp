@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// cagewright_baselines METHOD MODEL TRIANGLES CAGE.off: the tightest cage of a model, with that many triangles or fewer,
-// that a way other than ours makes; METHOD is wrap, offset or voxels. Prints what was found as a JSON object. Ends with 0
-// whether the cage encloses or not, 1 where there is none, 2 for wrong usage, 3 for files.
+// cagewright_baselines METHOD MODEL TRIANGLES CAGE.off: the tightest cage of a model, with that many triangles or
+// fewer, that a way other than ours makes; METHOD is wrap, offset or voxels. Prints what was found as a JSON object.
+// Ends with 0 whether the cage encloses or not, 1 where there is none, 2 for wrong usage, 3 for files.
 #include <charconv>
 #include <cstdio>
 #include <cstring>
@@ -27,7 +27,8 @@ int run(Search search, const char* model_file, std::size_t triangles, const char
   BestCage best(judge, triangles);
   search(best, judge, triangles);
   if (!best.best()) {
-    std::fprintf(stderr, "cagewright_baselines: none of %zu cages has %zu triangles or fewer\n", best.tried(), triangles);
+    std::fprintf(stderr, "cagewright_baselines: none of %zu cages has %zu triangles or fewer\n", best.tried(),
+                 triangles);
     return 1;
   }
   const FoundCage& found = *best.best();
@@ -44,7 +45,8 @@ int main_of(int argc, char** argv) {
   constexpr const char* usage = "usage: cagewright_baselines wrap|offset|voxels MODEL TRIANGLES CAGE.off\n";
   std::size_t triangles = 0;
   const char* end = argc == 5 ? argv[3] + std::strlen(argv[3]) : nullptr;
-  if (argc != 5 || !kMethods.contains(argv[1]) || std::from_chars(argv[3], end, triangles).ptr != end || triangles < 4) {
+  if (argc != 5 || !kMethods.contains(argv[1]) || std::from_chars(argv[3], end, triangles).ptr != end ||
+      triangles < 4) {
     std::fputs(usage, stderr);
     return 2;
   }

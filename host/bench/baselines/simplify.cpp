@@ -21,8 +21,7 @@ Surface simplified(Surface surface, std::size_t triangles, Collapse collapse) {
   } else {
     const simplification::GarlandHeckbert_plane_policies<Surface, Kernel> quadrics(surface);
     simplification::edge_collapse(
-        surface, stop,
-        CGAL::parameters::get_cost(quadrics.get_cost()).get_placement(quadrics.get_placement()));
+        surface, stop, CGAL::parameters::get_cost(quadrics.get_cost()).get_placement(quadrics.get_placement()));
   }
   surface.collect_garbage();
   return surface;

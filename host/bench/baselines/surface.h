@@ -12,7 +12,8 @@ namespace cagewright::bench {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// The triangles of an .obj, .off or .ply file. Throws std::runtime_error, naming the file, where it is not a surface mesh.
+// The triangles of an .obj, .off or .ply file. Throws std::runtime_error, naming the file, where it is not a surface
+// mesh.
 Surface read_surface(const std::filesystem::path& file);
 
 // The coordinates are rounded to floats first, as a mesh file of another program would hold them, and so that what is

@@ -28,8 +28,8 @@ class VoxelGrid {
   void fill_inside();
   // Fills the 26 neighbours of every full cell, the border's excepted.
   void grow();
-  // Fills cells until the boundary of the full ones is a 2-manifold: until no edge and no vertex of it is shared by full
-  // cells that are not neighbours by faces round it. Ends, as cells are only added.
+  // Fills cells until the boundary of the full ones is a 2-manifold: until no edge and no vertex of it is shared by
+  // full cells that are not neighbours by faces round it. Ends, as cells are only added.
   void make_manifold();
 
   // The boundary of the full cells as triangles, two for each face, counter-clockwise as seen from outside. The full
