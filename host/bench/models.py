@@ -19,7 +19,7 @@ class Model:
 
     @property
     def is_own(self):
-        return self.name in OWN
+        return self.name in OWN or self.name == "legs"
 
 
 def folders():
