@@ -177,7 +177,7 @@ def bumps():
     blob = model_of("blob")
     low = ["low_front_east", "low_front_west", "low_back_west", "low_back_east"]
     rows = compared("bunny00", [("all", []), ("no bump cuts", BUNNY_BUMPS)])
-    rows += compared("blob", [("all", []), ("without the four low ones", [*low, "low_front_west_tip"])])
+    rows += compared("blob", [("all", []), ("without the five low ones", [*low, "low_front_west_tip"])])
     pictures(blob, "paper-figure-15", [(blob, []), (without(blob, [*low, "low_front_west_tip"]), [])], "360x340")
     bunny = model_of("bunny00")
     pictures(bunny, "paper-figure-15-bunny00", [(bunny, []), (without(bunny, BUNNY_BUMPS), [])], "480x440")
