@@ -77,11 +77,12 @@ def rows_of(model):
     return rows + list(other_rows(model, folder, rows[0]["triangles"]))
 
 
-def is_first(rows, key):
-    """Whether the first row, ours, is smallest of those that enclose; None where ours does not."""
-    if not rows[0]["encloses"]:
+def is_first(rows, key, own=0):
+    """Whether the row of that number, one of ours, is smaller than all of others that enclose; None where it does not
+    enclose itself."""
+    if not rows[own]["encloses"]:
         return None
-    return all(rows[0][key] < row[key] for row in rows[2:] if row["encloses"])
+    return all(rows[own][key] < row[key] for row in rows[len(OURS):] if row["encloses"])
 
 
 def table(rows):
@@ -97,13 +98,13 @@ def table(rows):
 
 
 def verdict(groups):
-    """One sentence: on how many models ours is first, and where it is not."""
+    """On how many models ours is smallest of all that enclose, and on which it is not."""
     lines = []
-    for key, name in (("volume_ratio", "volume ratio"), ("mean_gap", "mean gap")):
-        behind = [rows[0]["model"] for rows in groups if not is_first(rows, key)]
-        first = len(groups) - len(behind)
-        lines.append(f"Smallest {name} of all that enclose: ours on {first} of {len(groups)} models"
-                     + (f"; not on {', '.join(behind)}." if behind else "."))
+    for own, way in enumerate(OURS):
+        for key, name in (("volume_ratio", "volume ratio"), ("mean_gap", "mean gap")):
+            behind = [rows[0]["model"] for rows in groups if not is_first(rows, key, own)]
+            lines.append(f"- {way}: smallest {name} of all that enclose on {len(groups) - len(behind)} of {len(groups)} models"
+                         + (f"; not on {', '.join(behind)}." if behind else "."))
     return "\n".join(lines) + "\n"
 
 

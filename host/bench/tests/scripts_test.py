@@ -166,7 +166,11 @@ class Baselines(unittest.TestCase):
     def test_the_verdict_names_the_models_where_ours_is_not_first(self):
         good, bad = [self.row(1.5), self.row(1.4), self.row(2.0)], [self.row(1.5), self.row(1.4), self.row(1.2)]
         bad[0]["model"] = "worse"
-        self.assertIn("1 of 2 models; not on worse.", baselines.verdict([good, bad]))
+        said = baselines.verdict([good, bad]).splitlines()
+        self.assertEqual(said[0], "- ours: smallest volume ratio of all that enclose on 1 of 2 models; not on worse.")
+        bad[1]["volume_ratio"] = 1.1  # the free one is first on both now
+        self.assertIn("- ours, free: smallest volume ratio of all that enclose on 2 of 2 models.",
+                      baselines.verdict([good, bad]).splitlines())
 
     def test_parameters_are_named_with_a_dot(self):
         self.assertEqual(program.settings(enclose_in_plane="false", refine_push="1"),
