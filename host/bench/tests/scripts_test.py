@@ -143,6 +143,12 @@ class Turns(unittest.TestCase):
         self.assertAlmostEqual(sections.twist((0, 0, 1), (1, 0, 0), normal, axis), 0)
         self.assertAlmostEqual(sections.twist((0, 0, 1), (1, 0, 0), normal, (0, 1, 0)), 0)
 
+    def test_a_slanting_section_carried_round_a_bend_has_no_twist(self):
+        c, s = math.cos(math.radians(40)), math.sin(math.radians(40))
+        for degrees in (25, 70):
+            x, y, _ = self.turned(degrees)
+            self.assertAlmostEqual(sections.twist((0, 0, 1), (x, y, 0), (0, -s, c), (x, c * y, s * y)), 0)
+
     def test_twist_at_a_right_angle_is_against_the_other_normal(self):
         self.assertAlmostEqual(sections.twist((0, 0, 1), (1, 0, 0), (1, 0, 0), (0, 0, 1)), 0)
         self.assertAlmostEqual(sections.twist((0, 0, 1), self.turned(20), (1, 0, 0), (0, 0, 1)), 20)
