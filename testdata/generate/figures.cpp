@@ -4,7 +4,7 @@
 namespace cagewright::testdata {
 
 std::vector<Figure> all_figures() {
-  return {make_biped(), make_quadruped(), make_octopus(), make_genus3(), make_blob()};
+  return {make_biped(), make_quadruped(), make_octopus(), make_genus3(), make_blob(), make_legs()};
 }
 
 }  // namespace cagewright::testdata

@@ -112,7 +112,7 @@ TEST_P(OwnModel, FallsIntoTheIntendedParts) {
 
 INSTANTIATE_TEST_SUITE_P(Testdata, OwnModel,
                          testing::Values(Model{"biped", 0, 18}, Model{"quadruped", 0, 24}, Model{"octopus", 0, 35},
-                                         Model{"genus3", 3, 16}, Model{"blob", 0, 12}),
+                                         Model{"genus3", 3, 16}, Model{"blob", 0, 12}, Model{"legs", 0, 8}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(SlideFiles, AreWellFormedWithUniqueNamesAndFiniteNumbers) {
 }
 
 TEST(SlideFiles, OfOurOwnModelsUseEveryKindOfSlide) {
-  for (const char* name : {"biped", "quadruped", "octopus", "genus3", "blob"}) {
+  for (const char* name : {"biped", "quadruped", "octopus", "genus3", "blob", "legs"}) {
     int count[3] = {0, 0, 0};
     for (const Slide& slide :
          read_slides(std::filesystem::path(CAGEWRIGHT_SLIDE_FILES) / (std::string(name) + ".slides.json")))

@@ -59,6 +59,15 @@ class GltfFile:
         positions = [struct.unpack_from("<3f", data, offset + i * stride) for i in range(accessor["count"])]
         return positions, self.json["accessors"][primitive["indices"]]["count"] // 3
 
+    def cage_triangles(self, node):
+        """The triangles of a cage's mesh, as tuples of three vertices."""
+        accessor = self.json["accessors"][self.json["meshes"][node["mesh"]]["primitives"][0]["indices"]]
+        view = self.json["bufferViews"][accessor["bufferView"]]
+        offset = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        letter = {5121: "B", 5123: "H", 5125: "I"}[accessor["componentType"]]
+        rows = struct.unpack_from(f"<{accessor['count']}{letter}", self._buffer(view["buffer"]), offset)
+        return [rows[i:i + 3] for i in range(0, len(rows), 3)]
+
     def _buffer(self, number):
         uri = self.json["buffers"][number].get("uri")
         if uri is None:
