@@ -169,7 +169,8 @@ class Enclosing {
     const SectionShape free(cage_, sections_, false, 0);
     std::optional<Enclosure> result;
     for (const SectionShape* held : {&shape, &free}) {
-      if (result || (held == &shape && !options_.in_plane)) continue;
+      // Where not even free walls enclose the model, those in plane need not be tried.
+      if (result || (held == &shape && !(options_.in_plane && is_clear))) continue;
       const double begin = held == &shape ? 0 : 0.5;
       Points points = from;
       held->put_in_shape(points);

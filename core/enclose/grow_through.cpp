@@ -6,6 +6,7 @@
 namespace cagewright {
 namespace {
 
+constexpr int most_at_first = 48, patience_at_first = 12;
 constexpr int stages = 4, most_at_stage = 12, patience_at_stage = 4;
 
 // Walls that cannot keep away from their model would be pushed on and on.
@@ -31,6 +32,8 @@ int grow_through(MovableCage& movable, const SectionShape& shape, const VertexNe
   push.own_only = true;
   push.guarded = MovableCage::Whose::nobody;
   push.clearance = options.gap;
+  push.most = most_at_first;
+  push.patience = patience_at_first;
   int steps = push_out(movable, shape, neighbours, vertex_owners, push, part_of(0));
   if (options.clearance <= options.gap) return steps;
   push.most = most_at_stage;

@@ -32,9 +32,14 @@ class Pushing {
 
   // Conditions that bring in what is outside.
   Contacts inward(const Outside& outside, const VertexNeighbours& neighbours) const {
-    std::vector<Farthest> farthest(static_cast<std::size_t>(movable_.triangle_count()) * fields * fields);
+    std::vector<int> out;
     for (std::size_t v = 0; v < outside.vertices.size(); ++v)
-      if (outside.vertices[v]) offer(static_cast<int>(v), neighbours, farthest);
+      if (outside.vertices[v]) out.push_back(static_cast<int>(v));
+    std::vector<OnWall> on_wall(out.size());
+    parallel_for(out.size(), options_.threads, [&](std::size_t i) { on_wall[i] = nearest_wall(out[i], neighbours); });
+    std::vector<Farthest> farthest(static_cast<std::size_t>(movable_.triangle_count()) * fields * fields);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (on_wall[i].wall >= 0) offer(movable_.model().points.row(out[i]), on_wall[i], farthest);
     Contacts contacts;
     for (std::size_t i = 0; i < farthest.size(); ++i)
       if (farthest[i].distance >= 0) contacts.push_back(contact(static_cast<int>(i / (fields * fields)), farthest[i]));
@@ -47,6 +52,11 @@ class Pushing {
   struct Farthest {
     double distance = -1;
     Vector3 weights, n;
+  };
+  struct OnWall {
+    int wall = -1;
+    double squared = std::numeric_limits<double>::infinity();  // distance
+    Vector3 weights;
   };
 
   Contact contact(int t, const Farthest& far) const {
@@ -69,30 +79,29 @@ class Pushing {
     return parts;
   }
 
-  void offer(int v, const VertexNeighbours& neighbours, std::vector<Farthest>& farthest) const {
+  OnWall nearest_wall(int v, const VertexNeighbours& neighbours) const {
     const Vector3 p = movable_.model().points.row(v);
-    double least = std::numeric_limits<double>::infinity();
-    int nearest = -1;
-    Vector3 weights;
+    OnWall nearest;
     for (const int part : parts_of(v, neighbours))
       for (const int t : walls_[static_cast<std::size_t>(part)]) {
-        if (movable_.box(t).squaredExteriorDistance(p) >= least) continue;
+        if (movable_.box(t).squaredExteriorDistance(p) >= nearest.squared) continue;
         const Triangle3 corners = movable_.triangle(t);
         const Vector3 here = nearest_on_triangle(p, corners);
         const double squared = (at_barycentric(corners, here) - p).squaredNorm();
-        if (squared >= least) continue;
-        least = squared;
-        nearest = t;
-        weights = here;
+        if (squared < nearest.squared) nearest = {t, squared, here};
       }
-    if (nearest < 0) return;
-    const double distance = std::sqrt(least);
-    const Vector3 normal = movable_.normal(nearest);
-    Vector3 n = p - at_barycentric(movable_.triangle(nearest), weights);
+    return nearest;
+  }
+
+  void offer(const Vector3& p, const OnWall& nearest, std::vector<Farthest>& farthest) const {
+    const auto& [wall, squared, weights] = nearest;
+    const double distance = std::sqrt(squared);
+    const Vector3 normal = movable_.normal(wall);
+    Vector3 n = p - at_barycentric(movable_.triangle(wall), weights);
     n = distance > 0.1 * margin_ && n.dot(normal) > 0 ? Vector3(n / distance) : normal;
     const auto field = [](double share) { return std::min(fields - 1, static_cast<int>(share * fields)); };
     Farthest& far =
-        farthest[static_cast<std::size_t>((nearest * fields + field(weights[1])) * fields + field(weights[2]))];
+        farthest[static_cast<std::size_t>((wall * fields + field(weights[1])) * fields + field(weights[2]))];
     if (distance > far.distance) far = {distance, weights, n};
   }
 

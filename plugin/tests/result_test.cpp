@@ -326,6 +326,14 @@ TEST(AbiResults, SectionsSolveEquation1InTheirOwnFrame) {
     EXPECT_EQ(section.x[0], section.linear_x[0]);
     EXPECT_EQ(section.x[1], section.linear_x[1]);
   }
+  ASSERT_EQ(api().set_parameter_text(session, "orient.minimum", "angles"), CGW_OK);
+  ASSERT_EQ(api().solve(session, nullptr), CGW_OK) << session.error();
+  for (std::uint64_t k = 0; k < 3; ++k) {
+    cgw_section section = CGW_SECTION_INIT;
+    ASSERT_EQ(api().get_section(session, k, &section), CGW_OK);
+    EXPECT_NEAR(std::hypot(section.x[0], section.x[1]), 1, 1e-12);
+    EXPECT_GT(section.x[0] * section.linear_x[0] + section.x[1] * section.linear_x[1], 0) << "x starts from there";
+  }
 }
 
 TEST(AbiResults, SectionsKeepTheEllipseOfTheirSolve) {
