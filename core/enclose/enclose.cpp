@@ -304,13 +304,19 @@ class Enclosing {
            << "(refine.delta), or move limbs apart or add slides where they are close to each other, near "
            << quoted(too_near_.slides, names_);
     if (!too_near_.conflicts.empty())
-      text << "; in each other's way may be " << pairs(too_near_.conflicts, too_near_.conflicts.size());
+      text << "; in each other's way may be " << pairs(too_near_.conflicts, most_pairs_named);
     const std::set<int> released(result_.sections_off_plane.begin(), result_.sections_off_plane.end());
     if (!released.empty())
       text << (is_near ? "; " : "") << "the cage encloses the model, but the sections of the slides "
            << quoted(released, names_)
            << " could not stay in their planes and near to square: move or turn these slides, "
            << "or add one beside them";
+    if (options_.in_plane && options_.delta <= 0 && shape_.section_count() > 0 &&
+        movable_.volume() > loose_ratio * model_.volume)
+      text << (text.str().empty() ? "" : "; ") << std::setprecision(3) << "the cage is "
+           << movable_.volume() / model_.volume
+           << " times as large as the model: let sections leave their slides' planes (enclose.in_plane=false), or add "
+              "slides where it stands off";
     if (!limbs_merged_.empty())
       text << (text.str().empty() ? "" : "; ") << "the cages of " << pairs(limbs_merged_, most_pairs_named)
            << " run into each other and were made one there: move or turn these slides, or add one beside them, to "
@@ -348,6 +354,7 @@ class Enclosing {
     return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
   }
 
+  static constexpr double loose_ratio = 2.5;  // of volumes
   static constexpr int most_pushes = 60, most_pushes_in_plane = 24, most_pushes_released = 20, patience_in_plane = 8;
   static constexpr std::size_t most_named = 4, most_pairs_named = 3;  // slides and pairs of limbs, in a sentence
 

@@ -214,6 +214,26 @@ TEST(Enclose, SaysWhichSlidesAreInTheWayWhereItFails) {
   EXPECT_NE(enclosure.shortfall.find("': move or turn one of them"), std::string::npos) << enclosure.shortfall;
 }
 
+TEST(Enclose, SaysWhatToDoWhereTheCageIsFarTooLarge) {
+  const Refined refined(shapes::fork(1));
+  Cage large = *refined.result.cage;
+  const Eigen::RowVector3d middle = large.points.colwise().mean();
+  large.points = (3 * (large.points.rowwise() - middle)).rowwise() + middle;
+  EncloseOptions options;
+  options.tighten = false;
+  const Enclosure enclosure =
+      enclose(refined.model, refined.result.segmentation, refined.result.sections, large, refined.names, options);
+  ASSERT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
+  EXPECT_NE(enclosure.shortfall.find("times as large as the model: let sections leave their slides' planes "
+                                     "(enclose.in_plane=false), or add slides where it stands off"),
+            std::string::npos)
+      << enclosure.shortfall;
+  options.tighten = true;
+  const Enclosure tight = enclose(refined.model, refined.result.segmentation, refined.result.sections,
+                                  *refined.result.cage, refined.names, options);
+  EXPECT_EQ(tight.shortfall, "");
+}
+
 TEST(Enclose, IsCancelledAtAnyCall) {
   const Refined refined(shapes::fork(1));
   int calls = 0;

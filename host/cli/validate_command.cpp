@@ -59,9 +59,15 @@ class ValidateRun {
     progress_.show(0, "read");
     input_ = read_cage_input(command_.cage);
     for (const std::string& note : input_.notes) progress_.note(note);
+    // A merged cage has other triangles than the refinement's records are about.
+    CageCommand unmerged = command_.cage;
+    for (const Parameter& parameter : plugin_->parameters()) {
+      if (parameter.id == "enclose.merge")
+        unmerged.settings.push_back({parameter.id, "false", "--set enclose.merge=false"});
+    }
     ValidationReport report{command_.cage.model.string(), CAGEWRIGHT_VERSION, options(), {}};
     for (const CageTarget& target : input_.targets) {
-      solved_.push_back(solve_cage(command_.cage, plugin_, target, listener()));
+      solved_.push_back(solve_cage(unmerged, plugin_, target, listener()));
       const HeededInterrupts heeded;
       report.cages.push_back(validate(
           *plugin_, *solved_.back().session, target.model, {command_.starts, command_.seconds, command_.cage.threads},

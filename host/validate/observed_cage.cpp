@@ -22,6 +22,7 @@ void read_parameters(const Session& session, ObservedCage& seen) {
   seen.diagonal = session.mesh_report().diagonal;
   seen.extent = summary.extent;
   seen.lambda = session.parameter("orient.lambda");
+  seen.is_over_angles = session.parameter("orient.minimum") == 1;
   seen.is_enclosed = summary.last_stage >= CGW_STAGE_ENCLOSE;
   seen.certified = summary.certified == 1;
   seen.converged = summary.converged == 1;

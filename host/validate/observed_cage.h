@@ -40,10 +40,12 @@ struct ObservedIteration {
   std::vector<std::int64_t> outermost;  // row of ObservedCage::model, or -1
 };
 
-// All that a session's last solve tells of how its cage came about, model units. Nothing is judged here.
+// All that a session's last solve tells of how its cage came about, model units. Nothing is judged here. Limbs were not
+// merged: the records are about the triangles that the cage had before.
 struct ObservedCage {
   double diagonal = 0, extent = 0;
   double lambda = 0, delta = 0, damping = 0, push = 0;  // as the stages were given them: delta is a length
+  bool is_over_angles = false;                          // orientation went on to the minimum over the angles
   bool is_local = true, is_in_plane = false;            // scope and constraint of the refinement
   bool is_enclosed = false;                             // enclosing came after the refinement
   bool certified = false, converged = false;

@@ -194,6 +194,7 @@ void read_summary(const cgw_session& session, cgw_summary* out) {
   summary.refine_ms = time(Stage::refine, made.refine_ms);
   summary.enclose_ms = time(Stage::enclose, made.enclose_ms);
   summary.certified = made.enclosure && made.enclosure->certificate.encloses();
+  summary.merged = made.enclosure && made.enclosure->merged;
   write_struct(out, summary, "cgw_summary");
 }
 

@@ -194,7 +194,7 @@ AT(cgw_summary, refine_ms, 72);
 AT(cgw_summary, extent, 80);
 AT(cgw_summary, enclose_ms, 88);
 AT(cgw_summary, certified, 96);
-AT(cgw_summary, reserved, 100);
+AT(cgw_summary, merged, 100);
 SIZE(cgw_certificate, 120);
 AT(cgw_certificate, encloses, 4);
 AT(cgw_certificate, closed, 8);

@@ -56,11 +56,20 @@ TEST_P(ValidateProgram, AgreesWithThePlugIn) {
   }
   EXPECT_EQ(stages, (std::set<std::string>{"segment", "orient", "refine", "enclose"}));
   EXPECT_EQ(cage["equation_1"]["starts"], 200);
-  EXPECT_LE(cage["equation_1"]["sections_percent_above_best"].get<double>(), 5);
+  EXPECT_LE(cage["equation_1"]["linear_percent_above_best"].get<double>(), 5);
   EXPECT_TRUE(cage["optimality"].is_null());
 }
 
 class ValidateOwnModel : public ValidateProgram {};
+
+// A wide distance, for which limbs would be merged.
+TEST_P(ValidateOwnModel, AgreesWhereLimbsAreInEachOthersWayAndOverAngles) {
+  const ProgramRun run = validate({"--set", "refine.delta=0.05", "--set", "orient.minimum=angles", "--starts", "5",
+                                   "--seconds", "0", "--report", folder / "r.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.output << run.errors;
+  const json equation = json::parse(folder.read("r.json"))["cages"][0]["equation_1"];
+  EXPECT_LE(equation["sections_percent_above_best"].get<double>(), 1e-4);
+}
 
 TEST_P(ValidateOwnModel, AgreesWithThePapersRuleForOutermostVerticesAndADistance) {
   const ProgramRun run = validate({"--set", "enclose.mode=off", "--set", "refine.scope=part", "--set",

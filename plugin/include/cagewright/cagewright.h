@@ -331,8 +331,8 @@ typedef struct cgw_cage {
   uint64_t vertex_count;   /* set */
   uint64_t triangle_count; /* set */
   double* vertices;        /* vertex_count x 3, or NULL */
-  int32_t*
-      vertex_section; /* vertex_count, or NULL: index of the section (the order of section), -1: a cap or box corner */
+  int32_t* vertex_section; /* vertex_count, or NULL: index of the section (the order of section), -1: a cap's or box's
+                              corner, or new at a seam of limbs that were merged */
   uint64_t vertex_capacity;
   uint32_t* triangles;    /* triangle_count x 3, or NULL */
   int32_t* triangle_part; /* triangle_count, or NULL */
@@ -341,7 +341,9 @@ typedef struct cgw_cage {
 #define CGW_CAGE_INIT \
   { (uint32_t)sizeof(cgw_cage), 0, 0, 0, NULL, NULL, 0, NULL, NULL, 0 }
 
-/* One iteration of the refinement, equations (6) to (8): what an independent solver needs to repeat it. */
+/* One iteration of the refinement, equations (6) to (8): what an independent solver needs to repeat it. Rows are those
+   of get_cage, but where limbs were merged (cgw_summary.merged): then of the cage as it was refined, which a solve with
+   enclose.merge = false hands out. */
 typedef struct cgw_iteration {
   uint32_t struct_size;
   uint32_t reserved;
@@ -382,7 +384,8 @@ typedef struct cgw_summary {
   /* Since 1.1. */
   double enclose_ms;
   uint32_t certified; /* 1: the last stage was CGW_STAGE_ENCLOSE, and get_certificate says `encloses` */
-  uint32_t reserved;
+  /* Since 1.2. */
+  uint32_t merged; /* 1: limbs were merged (enclose.merge): the cage has other triangles than before enclosing */
 } cgw_summary;
 #define CGW_SUMMARY_INIT \
   { (uint32_t)sizeof(cgw_summary), 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0 }
