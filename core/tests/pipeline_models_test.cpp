@@ -108,7 +108,8 @@ TEST_P(PipelineOnModel, MakesACertifiedCageInPlaneAndFree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Own, PipelineOnModel, testing::Values("biped", "quadruped", "octopus", "genus3", "blob", "legs"));
+INSTANTIATE_TEST_SUITE_P(Own, PipelineOnModel,
+                         testing::Values("biped", "quadruped", "octopus", "genus3", "blob", "legs"));
 INSTANTIATE_TEST_SUITE_P(Real, PipelineOnModel, testing::Values("armadillo", "elk", "man", "bunny00", "elephant"));
 
 }  // namespace

@@ -23,7 +23,7 @@ Figure make_quadruped();  // a humped animal with one foreleg lifted
 Figure make_octopus();    // a mantle, two eyes and eight curling arms
 Figure make_genus3();     // a figure with its hands on its hips whose legs run into one base: three rings
 Figure make_blob();       // an egg with nine bumps
-Figure make_legs();       // two legs side by side, each thick where the other is thin, as near as figure 18's of the paper
+Figure make_legs();  // two legs side by side, each thick where the other is thin, as near as figure 18's of the paper
 
 // All of the above, in that order.
 std::vector<Figure> all_figures();

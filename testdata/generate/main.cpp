@@ -81,7 +81,8 @@ void run(const Options& options) {
     write_figure(figure, options);
   }
   if (!found)
-    throw UsageError("--only '" + options.only + "' names no model; there are biped, quadruped, octopus, genus3, blob, "
+    throw UsageError("--only '" + options.only +
+                     "' names no model; there are biped, quadruped, octopus, genus3, blob, "
                      "legs");
 }
 
