@@ -47,6 +47,22 @@ struct SlabQuery {
   }
 };
 
+// Boxes that come near a thin triangle.
+struct CapsuleQuery {
+  const Box3& box;
+  Capsule capsule;
+  double distance;
+  const std::vector<Box3>& boxes;
+  const std::function<bool(int)>& visit;
+  bool meets(const Box3& other) const {
+    return other.intersects(box) && !capsule.parts_ball(other.center(), other.sizes().norm() / 2, distance);
+  }
+  bool intersectVolume(const Box3& volume) const { return meets(volume); }
+  bool intersectObject(int triangle) const {
+    return meets(boxes[static_cast<std::size_t>(triangle)]) && visit(triangle);
+  }
+};
+
 }  // namespace
 
 Box3 box_of_triangle(const IndexedMesh& mesh, Eigen::Index triangle) {
@@ -82,7 +98,11 @@ void BoxTree::visit_near(const Triangle3& t, double distance, const std::functio
   const double size = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) + distance;
   box.min().array() -= distance;
   box.max().array() += distance;
-  if (is_thin(t, box)) return this->visit(box, visit);
+  if (is_thin(t, box)) {
+    CapsuleQuery query{box, Capsule(t), distance, tree_->own, visit};
+    Eigen::BVIntersect(tree_->boxes, query);
+    return;
+  }
   const double half_width = distance + tolerance::rounding * (size + tree_->size);
   SlabQuery query{box, normal, normal.dot(t[0]), half_width, tree_->own, visit};
   Eigen::BVIntersect(tree_->boxes, query);

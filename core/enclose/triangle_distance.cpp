@@ -94,8 +94,33 @@ bool plane_parts(const Triangle3& t, const Vector3& n, const Triangle3& other, d
   return std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance;
 }
 
+Capsule::Capsule(const Triangle3& t) {
+  std::size_t longest = 0;
+  double squared = -1;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const double length = (t[(i + 1) % 3] - t[i]).squaredNorm(); length > squared) {
+      squared = length;
+      longest = i;
+    }
+  begin_ = t[longest];
+  along_ = t[(longest + 1) % 3] - begin_;
+  const Vector3& apex = t[(longest + 2) % 3];
+  const double share = squared > 0 ? std::clamp(along_.dot(apex - begin_) / squared, 0.0, 1.0) : 0;
+  radius_ = (begin_ + share * along_ - apex).norm();
+}
+
+bool Capsule::parts_ball(const Vector3& center, double radius, double distance) const {
+  const double squared = along_.squaredNorm();
+  const double share = squared > 0 ? std::clamp(along_.dot(center - begin_) / squared, 0.0, 1.0) : 0;
+  const double size = begin_.cwiseAbs().maxCoeff() + center.cwiseAbs().maxCoeff();
+  return (begin_ + share * along_ - center).norm() > radius_ + radius + distance + tolerance::rounding * size;
+}
+
 Prism::Prism(const Triangle3& t, const Eigen::AlignedBox3d& box) : is_thin_(is_thin(t, box)), normal_(unit_normal(t)) {
-  if (is_thin_) return;
+  if (is_thin_) {
+    capsule_ = Capsule(t);
+    return;
+  }
   offset_ = normal_.dot(t[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     sides_[i] = (t[(i + 1) % 3] - t[i]).cross(normal_).stableNormalized();
@@ -104,7 +129,7 @@ Prism::Prism(const Triangle3& t, const Eigen::AlignedBox3d& box) : is_thin_(is_t
 }
 
 bool Prism::parts_ball(const Vector3& center, double distance) const {
-  if (is_thin_) return false;
+  if (is_thin_) return capsule_.parts_ball(center, 0, distance);
   if (std::abs(normal_.dot(center) - offset_) > distance) return true;
   for (std::size_t i = 0; i < 3; ++i)
     if (sides_[i].dot(center) - side_offsets_[i] > distance) return true;
@@ -112,7 +137,12 @@ bool Prism::parts_ball(const Vector3& center, double distance) const {
 }
 
 bool Prism::parts(const Triangle3& other, double distance) const {
-  if (is_thin_) return false;
+  if (is_thin_) {
+    const Vector3 center = (other[0] + other[1] + other[2]) / 3;
+    const double radius =
+        std::max({(other[0] - center).norm(), (other[1] - center).norm(), (other[2] - center).norm()});
+    return capsule_.parts_ball(center, radius, distance);
+  }
   const double a = normal_.dot(other[0]) - offset_, b = normal_.dot(other[1]) - offset_,
                c = normal_.dot(other[2]) - offset_;
   if (std::min({a, b, c}) > distance || std::max({a, b, c}) < -distance) return true;

@@ -28,14 +28,28 @@ Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t);
 // Unit; zero for a triangle without area.
 Vector3 unit_normal(const Triangle3& t);
 
-// Whether it is too thin for its normal to be relied on: of such ones only boxes count. `box` is its own.
+// Whether it is too thin for its normal to be relied on. `box` is its own.
 bool is_thin(const Triangle3& t, const Eigen::AlignedBox3d& box);
 
+// All points as near to a triangle's longest edge as its farthest point is: what little more than a thin one fills.
+class Capsule {
+ public:
+  Capsule() = default;
+  explicit Capsule(const Triangle3& t);
+
+  // Whether the ball is farther than `distance` from it; rounding only ever denies.
+  bool parts_ball(const Vector3& center, double radius, double distance) const;
+
+ private:
+  Vector3 begin_ = Vector3::Zero(), along_ = Vector3::Zero();  // the edge
+  double radius_ = 0;
+};
+
 // The plane of a triangle and those through its edges across it: what lies beyond one of them by more than a distance
-// is farther than that from the triangle.
+// is farther than that from the triangle. Round a thin one, the capsule.
 class Prism {
  public:
-  // `box`: of t. Of a thin triangle nothing is told.
+  // `box`: of t.
   Prism(const Triangle3& t, const Eigen::AlignedBox3d& box);
 
   bool parts_ball(const Vector3& center, double distance) const;
@@ -43,6 +57,7 @@ class Prism {
 
  private:
   bool is_thin_;
+  Capsule capsule_;  // of a thin one
   Vector3 normal_;
   double offset_ = 0;
   std::array<Vector3, 3> sides_;  // unit, outward

@@ -198,5 +198,36 @@ TEST(BoxTree, MissesNoTriangleThatIsNear) {
   EXPECT_GT(near, 1000);
 }
 
+// Between slivers, too, of which a prism knows a capsule only.
+TEST(Prism, PartsNothingThatIsNear) {
+  Random random(11);
+  int near = 0, parted = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto point = [&](double size) { return Vector3(size * random.direction() * random.uniform(0, 1)); };
+    const double thinness = i % 2 == 0 ? 1 : std::pow(10, random.uniform(-9, -3.1));
+    const Vector3 a = point(1), b = point(1),
+                  apex = a + random.uniform(-0.5, 1.5) * (b - a) + point(thinness * (b - a).norm());
+    const Triangle3 t = {a, b, apex};
+    Box3 box(a);
+    box.extend(b).extend(apex);
+    ASSERT_TRUE(i % 2 == 0 || is_thin(t, box));
+    const Vector3 center = point(1);
+    const Triangle3 other = {center, center + point(0.1), center + point(0.1)};
+    const double distance = random.uniform(0, 0.3), apart = triangle_distance(t, other);
+    const Prism prism(t, box);
+    if (apart <= distance) {
+      ++near;
+      EXPECT_FALSE(prism.parts(other, distance)) << i;
+    } else {
+      parted += prism.parts(other, distance);
+    }
+    const double of_center = (at_barycentric(t, nearest_on_triangle(center, t)) - center).norm();
+    EXPECT_FALSE(prism.parts_ball(center, of_center + 1e-12)) << i;
+    EXPECT_TRUE(i % 2 == 0 || prism.parts_ball(center, of_center - 1e-2)) << i;
+  }
+  EXPECT_GT(near, 2000);
+  EXPECT_GT(parted, 2000);
+}
+
 }  // namespace
 }  // namespace cagewright
