@@ -19,7 +19,9 @@ void Autosave::set_delay(int milliseconds) {
 }
 
 fs::path Autosave::file_for(const fs::path& scene) {
-  return scene.parent_path() / ("." + scene.filename().string() + ".autosave.glb");
+  std::string name = ".";
+  name.append(scene.filename().string()).append(".autosave.glb");
+  return scene.parent_path() / name;
 }
 
 std::optional<fs::path> Autosave::recoverable(const fs::path& scene) {

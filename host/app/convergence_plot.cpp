@@ -12,7 +12,7 @@ namespace {
 constexpr double bound = 1e-3;                   // equation (9)
 constexpr int first_power = -5, last_power = 0;  // of ten, where the scale ends
 
-double height(double distance) {
+double share_of(double distance) {
   const double power = std::log10(std::max(std::abs(distance), std::pow(10, first_power)));
   return std::clamp((power - first_power) / (last_power - first_power), 0.0, 1.0);
 }
@@ -52,7 +52,7 @@ void ConvergencePlot::paintEvent(QPaintEvent*) {
                      Qt::AlignRight | Qt::AlignVCenter, QString("1e%1").arg(power));
   }
   painter.setPen(QPen(QColor(0x5f, 0xbf, 0x77), 1.5, Qt::DashLine));
-  painter.drawLine(QPointF(area.left(), y_of(height(bound))), QPointF(area.right(), y_of(height(bound))));
+  painter.drawLine(QPointF(area.left(), y_of(share_of(bound))), QPointF(area.right(), y_of(share_of(bound))));
   painter.setPen(palette().text().color());
   painter.drawText(QRectF(area.left(), area.bottom() + 2, area.width(), metrics.height()), Qt::AlignCenter,
                    distances_.empty() ? "no refinement yet" : QString("step 0 to %1").arg(distances_.size() - 1));
@@ -60,7 +60,7 @@ void ConvergencePlot::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < distances_.size(); ++i) {
     const double share =
         distances_.size() > 1 ? static_cast<double>(i) / static_cast<double>(distances_.size() - 1) : 0.5;
-    const QPointF at(area.left() + share * area.width(), y_of(height(distances_[i])));
+    const QPointF at(area.left() + share * area.width(), y_of(share_of(distances_[i])));
     i == 0 ? path.moveTo(at) : path.lineTo(at);
     painter.setBrush(QColor(0xf0, 0xa0, 0x40));
     painter.setPen(Qt::NoPen);

@@ -81,7 +81,8 @@ void Outliner::add_nodes(std::map<int, QTreeWidgetItem*>& items) {
   const Workspace& workspace = editor_.workspace();
   const std::vector<SceneNode> nodes = workspace.document().nodes();
   std::vector<const SceneNode*> waiting;
-  for (const SceneNode& node : nodes) waiting.push_back(&node);
+  for (const SceneNode& node : nodes)
+    if (node.index >= 0) waiting.push_back(&node);
   // Parents may come after their children.
   for (bool any = true; any && !waiting.empty();) {
     any = false;
@@ -94,11 +95,11 @@ void Outliner::add_nodes(std::map<int, QTreeWidgetItem*>& items) {
       }
       any = true;
       const bool is_mesh = node->kind == SceneNode::Kind::mesh;
-      const QString name = node->name.empty() ? QString("node %1").arg(node->node) : text(node->name);
+      const QString name = node->name.empty() ? QString("node %1").arg(node->index) : text(node->name);
       QTreeWidgetItem* item = add(node->parent >= 0 ? parent->second : nullptr, name, is_mesh ? "mesh" : "",
                                   is_mesh ? mesh_item : node_item);
-      item->setData(0, id_role, node->node);
-      if (is_mesh && node->node == workspace.mesh_node()) {
+      item->setData(0, id_role, node->index);
+      if (is_mesh && node->index == workspace.mesh_node()) {
         QFont bold = item->font(0);
         bold.setBold(true);
         item->setFont(0, bold);
@@ -106,7 +107,7 @@ void Outliner::add_nodes(std::map<int, QTreeWidgetItem*>& items) {
       } else if (is_mesh) {
         item->setToolTip(0, name + ": double-click to make this mesh the one to cage");
       }
-      items[node->node] = item;
+      items[node->index] = item;
     }
     waiting = std::move(later);
   }

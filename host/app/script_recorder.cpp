@@ -8,7 +8,7 @@ namespace cagewright::host {
 void ScriptRecorder::start(const std::filesystem::path& path) {
   stop();
   file_.open(path, std::ios::trunc);
-  if (!file_) throw FileError(path, "a script cannot be written here");
+  if (!file_) throw FileError(path, {}, "a script cannot be written here");
   if (editor_.workspace().has_scene())
     file_ << nlohmann::json{{"command", "open"}, {"path", editor_.workspace().path().string()}}.dump() << std::endl;
   // At once, so that a crash leaves what led to it.

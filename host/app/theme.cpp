@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QColor>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 
 namespace cagewright::host {
