@@ -27,13 +27,12 @@ class CommandLine {
     add_params();
     add_strip();
     add_validate();
-    view_ = app_.add_subcommand("view", "Open the window (not part of this version)");
-    view_->allow_extras();
+    add_view();
   }
 
   Invocation parse(int argc, const char* const* argv) {
     if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
-      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params, strip and validate");
+      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params, strip, validate and view");
     }
     try {
       app_.parse(argc, argv);
@@ -52,7 +51,7 @@ class CommandLine {
     if (params_app_->parsed()) return params_;
     if (strip_app_->parsed()) return strip_;
     if (validate_app_->parsed()) return validate();
-    throw UsageError("\"view\" is not part of this version; there are cage, check, params, strip and validate");
+    return view_;
   }
 
  private:
@@ -102,6 +101,15 @@ class CommandLine {
     add_threads(*validate_app_, cage.threads);
     validate_app_->add_flag("--quiet", cage.quiet, "No progress and no notes on stderr, only errors");
     add_plugin(*validate_app_, cage.plugin);
+  }
+
+  void add_view() {
+    CLI::App* app = app_.add_subcommand("view", "Open the window: draw slides, and the cage follows");
+    add_file(*app, "SCENE", view_.scene, "What to open: .glb .gltf .obj .off .ply .stl");
+    app->add_option("--theme", view_.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app->add_flag("--commands", view_.takes_commands,
+                  "Run commands from standard input, a JSON object a line, and answer each on standard output");
+    add_plugin(*app, view_.plugin);
   }
 
   void add_set(CLI::App& app) {
@@ -192,7 +200,8 @@ class CommandLine {
 
   CLI::App app_;
   CLI::App *cage_app_ = nullptr, *check_app_ = nullptr, *params_app_ = nullptr, *strip_app_ = nullptr,
-           *validate_app_ = nullptr, *view_ = nullptr;
+           *validate_app_ = nullptr;
+  ViewCommand view_;
   CageCommand cage_;
   PictureArguments picture_;
   CheckCommand check_;

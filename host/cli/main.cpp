@@ -16,6 +16,7 @@
 #include "host/cli/strip_command.h"
 #include "host/cli/text.h"
 #include "host/cli/validate_command.h"
+#include "host/cli/view_command.h"
 #include "host/file/file_error.h"
 #include "host/plugin_client/plugin_error.h"
 #include "host/view/picture.h"
@@ -30,6 +31,7 @@ struct Run {
   int operator()(const ParamsCommand& command) const { return run_params(command); }
   int operator()(const StripCommand& command) const { return run_strip(command); }
   int operator()(const ValidateCommand& command) const { return run_validate(command); }
+  int operator()(const ViewCommand& command) const { return run_view(command); }
   int operator()(const Ended&) const { return exit_done; }
 };
 
