@@ -72,6 +72,10 @@ void Session::set_parameter(const std::string& id, const std::string& text) {
   check(api().set_parameter_text(session_, id.c_str(), text.c_str()), "set_parameter_text");
 }
 
+void Session::set_parameter(const std::string& id, double value) {
+  check(api().set_parameter(session_, id.c_str(), value), "set_parameter");
+}
+
 double Session::parameter(const std::string& id) const {
   double value = 0;
   check(api().get_parameter(session_, id.c_str(), &value), "get_parameter");
@@ -96,8 +100,26 @@ std::vector<SlideInfo> Session::slides() const {
   return slides;
 }
 
-void Session::solve(std::uint32_t threads) {
+void Session::set_slides(const std::vector<Slide>& slides) {
+  for (const SlideInfo& slide : this->slides()) check(api().slide_remove(session_, slide.info.id), "slide_remove");
+  for (const Slide& slide : slides) add_slide(slide);
+}
+
+Slide Session::fit(const Slide& slide) const {
+  for (const SlideInfo& old : slides()) check(api().slide_remove(session_, old.info.id), "slide_remove");
+  const cgw_slide_input input = to_input(slide);
+  std::uint64_t id = CGW_NO_ID;
+  check(api().slide_add(session_, &input, &id), "slide_add");
   cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
+  options.last_stage = CGW_STAGE_SEGMENT;
+  check(api().solve(session_, &options), "solve");
+  const cgw_slide_info info = slides().front().info;
+  return {slide.name, Slide::Ellipse{std::to_array(info.center), std::to_array(info.u), std::to_array(info.v)}};
+}
+
+void Session::solve(std::uint32_t threads, bool editing) {
+  cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
+  options.editing = editing ? 1 : 0;
   options.threads = threads;
   check(api().solve(session_, &options), "solve");
 }

@@ -39,12 +39,18 @@ class Session {
   void set_mesh(const TriangleMesh& mesh);
   cgw_mesh_report mesh_report() const;
   void set_parameter(const std::string& id, const std::string& text);
+  void set_parameter(const std::string& id, double value);
   double parameter(const std::string& id) const;
   std::uint64_t add_slide(const Slide& slide);
   std::vector<SlideInfo> slides() const;
 
-  // threads: 0 for as many as the machine has.
-  void solve(std::uint32_t threads);
+  // These instead of those that there are.
+  void set_slides(const std::vector<Slide>& slides);
+  // The slide as an ellipse: what a solve would make of it.
+  Slide fit(const Slide& slide) const;
+
+  // threads: 0 for as many as the machine has. editing: few steps of refinement, and no tightening.
+  void solve(std::uint32_t threads, bool editing = false);
 
   // Results. Figures that the plug-in did not write are NaN.
   TriangleMesh cage() const;

@@ -72,6 +72,8 @@ class Workspace {
   int mesh_node() const;  // -1: none
   void choose_mesh(int node);
   const TriangleMesh& mesh() const;               // in its node's space; precondition: mesh_node() >= 0
+  // Of any mesh node; read once. Null where it cannot be read (notes() has the sentence where it was tried at open).
+  std::shared_ptr<const TriangleMesh> mesh_of(int node) const;
   std::vector<const SceneSlide*> slides() const;  // of that mesh node, in the document's order
   const SceneSlide* find_slide(const std::string& name) const;
 
@@ -85,6 +87,7 @@ class Workspace {
   void rename_slide(std::int64_t id, const std::string& name);
   void remove_slides(const std::vector<std::int64_t>& ids);
   std::vector<std::int64_t> duplicate_slides(const std::vector<std::int64_t>& ids);  // moved a little along normals
+  // The new slides of duplicate, mirror and paste are selected, as is one that was added.
   // Copies on the other side of the plane x, y or z (axis 0, 1, 2) = `at` in the mesh's space; empty: the middle of
   // its box.
   std::vector<std::int64_t> mirror_slides(const std::vector<std::int64_t>& ids, int axis, std::optional<double> at);
@@ -108,7 +111,7 @@ class Workspace {
   // ---- undo
   void undo();
   void redo();
-  const CommandStack& stack() const;
+  const CommandStack& stack() const;  // precondition: has_scene()
 
   // ---- selection: ids of slides
   void select(std::vector<std::int64_t> ids);
