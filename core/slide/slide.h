@@ -26,7 +26,10 @@ struct PointNormalDefinition {
 struct EllipseDefinition {
   Vector3 center, u, v;  // conjugate radii
 };
-using SlideDefinition = std::variant<StrokeDefinition, PointNormalDefinition, EllipseDefinition>;
+struct PointDefinition {
+  Vector3 point;  // on the surface; the plane is that across the limb there (see across_limb.h)
+};
+using SlideDefinition = std::variant<StrokeDefinition, PointNormalDefinition, EllipseDefinition, PointDefinition>;
 
 // What the user asked for. The name is used in sentences.
 struct Slide {
