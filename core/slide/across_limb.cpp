@@ -25,7 +25,7 @@ constexpr int turn_count = 12;            // directions to start from: round the
 constexpr int lean_count = 5;             // and towards and away from it
 constexpr double lean_step = 0.35;        // radians
 constexpr std::size_t most_turned = 3;    // of the starts
-constexpr double smoothed = 0.025;        // about the point, over the diagonal: bumps this small do not count
+constexpr double smoothed = 0.05;         // about the point, over the model's radius: bumps so small do not count
 constexpr double inside_triangle = 1e-6;  // least barycentric coordinate of the point that planes turn about
 constexpr double steepest = 0.8;          // sine of the angle between a plane's normal and the surface
 constexpr double longest_loop = 1.25;     // over the start's
@@ -112,10 +112,11 @@ Pivot find_pivot(const HalfEdgeMesh& mesh, const Vector3& point, const std::stri
   const Triangle3 t = corners_of(mesh, pivot.face);
   const Vector3 weights = nearest_on_triangle(point, t).cwiseMax(inside_triangle);
   pivot.point = at_barycentric(t, weights / weights.sum());
-  const Vector3 edge = longest_edge(t);
-  pivot.along = edge.normalized();
-  pivot.normal = normal_about(mesh, pivot, std::max(smoothed * pivot.diagonal, edge.norm()));
+  pivot.along = longest_edge(t).normalized();
   pivot.middle = point + moment / area;
+  double reach = 0;  // unlike the diagonal, it turns with the model
+  for (const auto v : mesh.vertices()) reach = std::max(reach, (mesh.point(v) - pivot.middle).norm());
+  pivot.normal = normal_about(mesh, pivot, smoothed * reach);
   return pivot;
 }
 
@@ -254,18 +255,19 @@ class Search {
   Vector3 turn(Vector3 normal, int turns, double enough) const {
     Loop loop = *loop_of(normal, true);
     const double longest = longest_loop * loop.length;
-    double inertia = first_inertia, last = std::numeric_limits<double>::infinity();
+    double inertia = first_inertia;
+    Vector3 last = Vector3::Zero();
     for (int k = 0; k < turns; ++k) {
       const Vector3 next = least_spread(loop, normal, inertia);
-      const double angle = (next - normal).norm();
-      if (angle > last / 2) inertia *= 2;  // it goes to and fro, or will not come to an end
-      last = angle;
+      const Vector3 step = next - normal;
+      if (step.dot(last) < -last.squaredNorm() / 4) inertia *= 2;  // it goes to and fro
+      last = step;
       const bool is_steep = std::abs(next.dot(pivot_.normal)) > steepest;
       const auto next_loop = is_steep ? std::nullopt : loop_of(next, true);
       if (!next_loop || next_loop->length > longest) break;
       normal = next;
       loop = *next_loop;
-      if (angle <= enough) break;
+      if (step.norm() <= enough) break;
     }
     return normal;
   }
