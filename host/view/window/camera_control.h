@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_VIEW_WINDOW_CAMERA_CONTROL_H
+#define CAGEWRIGHT_HOST_VIEW_WINDOW_CAMERA_CONTROL_H
+
+#include <array>
+
+#include "host/file/slides_file.h"
+
+class vtkRenderer;
+
+namespace cagewright::host {
+
+// Maya's camera: tumble about the centre of interest (azimuth about the world's up, elevation), track in the view's
+// plane, dolly along the view. All in pixels of the window. Main thread only (VTK).
+class CameraControl {
+ public:
+  explicit CameraControl(vtkRenderer& renderer);
+
+  void tumble(double dx, double dy);
+  void track(double dx, double dy);                // what is under the mouse at the centre's depth stays under it
+  void dolly(double pixels);                       // > 0: nearer
+  void zoom_at(double steps, double x, double y);  // the wheel's: what is under the mouse stays there
+
+  // Moves so that the bounds {x0, x1, y0, y1, z0, z1} fill the window; the direction stays.
+  void frame(const std::array<double, 6>& bounds);
+  enum class Axis { front, back, left, right, top, bottom, perspective };  // perspective: the first view
+  void look_along(Axis axis);
+  void set_orthographic(bool orthographic);
+  bool is_orthographic() const;
+  void turn(double degrees);  // about the world's up, through the centre of interest: turntables
+  void set_up(const Point3& up);
+  void update_clipping();
+
+ private:
+  vtkRenderer& renderer_;
+  Point3 up_{0, 1, 0};
+};
+
+}  // namespace cagewright::host
+
+#endif

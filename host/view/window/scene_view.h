@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_VIEW_WINDOW_SCENE_VIEW_H
+#define CAGEWRIGHT_HOST_VIEW_WINDOW_SCENE_VIEW_H
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/file/slides_file.h"
+#include "host/file/triangle_mesh.h"
+
+class vtkRenderer;
+
+namespace cagewright::host {
+
+using Matrix4 = std::array<double, 16>;  // rows
+
+// A mesh of the scene. One is active: slides and cage are in its space.
+struct ShownMesh {
+  int node = -1;
+  std::shared_ptr<const TriangleMesh> mesh;
+  Matrix4 to_scene{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  bool is_active = false;  // the others are dim
+};
+
+struct ShownSlide {
+  std::int64_t id = -1;
+  std::string label;  // beside it where it failed or is selected; may be empty
+  Slide::Ellipse ellipse;
+  bool is_selected = false, is_preview = false;
+  bool failed = false;  // dashed, with its label
+};
+
+struct ShownCage {
+  TriangleMesh mesh;
+  std::vector<std::array<Point3, 4>> sections;
+  bool is_stale = false;  // paler: it is not of these slides
+};
+
+// What is drawn, and how.
+struct ViewOptions {
+  bool model = true, slides = true, sections = true, cage = true, cage_faces = true, grid = true, wireframe = false;
+  enum class Colours { plain, parts, coverage } colours = Colours::plain;
+  bool dark = true;  // background and grid
+};
+
+struct Ray {
+  Point3 origin{}, direction{};  // unit
+};
+
+struct Hit {
+  enum class What { nothing, model, slide, cage } what = What::nothing;
+  std::int64_t slide = -1;
+  int node = -1;    // of a model
+  Point3 point{};   // in the active mesh's space (of a model: in its own)
+  Point3 normal{};  // unit, of the model's triangle
+};
+
+// The actors of a window's scene in one renderer. No document logic: it shows what it is given. Main thread only (VTK).
+class SceneView {
+ public:
+  explicit SceneView(vtkRenderer& renderer);
+  ~SceneView();
+
+  void set_meshes(std::vector<ShownMesh> meshes);
+  // Colours of the active mesh: of the cut model's parts, or red where its vertices poke out. O(n).
+  void set_parts(const TriangleMesh& cut_model, const std::vector<int>& triangle_parts);
+  void set_outside(const std::vector<std::uint32_t>& vertices);
+  void set_slides(std::vector<ShownSlide> slides);
+  void set_cage(const ShownCage* cage);                // null: none
+  void set_stroke(const std::vector<Point3>& points);  // while it is drawn; empty: none
+  void set_options(const ViewOptions& options);
+  const ViewOptions& options() const;
+
+  // Where display coordinates (VTK's: pixels from the lower left) point to. `slides_first`: a slide within a few pixels
+  // wins over the model in front of it.
+  Hit pick(double x, double y, bool slides_first) const;
+  // On the active mesh only; empty: it is missed. O(log n).
+  std::optional<Hit> pick_model(double x, double y) const;
+  Ray ray(double x, double y) const;                            // in the active mesh's space
+  std::array<double, 2> to_display(const Point3& point) const;  // of the active mesh's space
+
+  // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there.
+  std::optional<std::array<double, 6>> bounds() const;
+  std::optional<std::array<double, 6>> bounds_of_slides(const std::vector<std::int64_t>& ids) const;
+  std::optional<std::array<double, 6>> bounds_of_place(const Point3& place) const;  // a small box round it
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cagewright::host
+
+#endif

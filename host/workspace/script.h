@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_WORKSPACE_SCRIPT_H
+#define CAGEWRIGHT_HOST_WORKSPACE_SCRIPT_H
+
+#include <functional>
+#include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "host/workspace/workspace.h"
+
+namespace cagewright::host {
+
+// A command that is none, or with arguments that are missing, unknown or of the wrong type; what() names both.
+class ScriptError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Runs commands written as JSON objects, {"command": "add_slide", "point": [x, y, z]}: those of the menus, and those of
+// `cagewright --command FILE`. docs/script.md lists them. Slides are named by their names.
+class ScriptRunner {
+ public:
+  // What a view has to do; without one they do nothing but check their arguments.
+  using ViewCommand = std::function<void(const nlohmann::json& command)>;
+
+  explicit ScriptRunner(Workspace& workspace, ViewCommand view = {});
+
+  // Returns what the command has to say: {} or, of report, copy ..., an object. Throws ScriptError, CommandError,
+  // FileError, PluginError, PluginLoadError, PictureError; then nothing has changed.
+  nlohmann::json run(const nlohmann::json& command);
+
+  // Called with every command that was run, so that it can be recorded. May be empty.
+  void record(std::function<void(const nlohmann::json& command)> recorder);
+
+  // For help and documents: "add_slide", "point: [x, y, z]; ...".
+  struct Description {
+    std::string name, arguments, doc;
+    bool is_of_view = false;
+  };
+  static std::vector<Description> commands();
+
+ private:
+  Workspace& workspace_;
+  ViewCommand view_;
+  std::function<void(const nlohmann::json&)> recorder_;
+};
+
+}  // namespace cagewright::host
+
+#endif
