@@ -36,7 +36,7 @@ constexpr double rough_turn = 1e-3, last_turn = 1e-10;  // radians
 [[noreturn]] void fail(ErrorCode code, const std::string& name, const std::string& what, const Vector3& point) {
   ErrorPlace place;
   place.point = point;
-  throw Error(code, "slide '" + name + "': " + what, place);
+  throw Error(code, slide_text(name) + ": " + what, place);
 }
 
 Triangle3 corners_of(const HalfEdgeMesh& mesh, FaceHandle face) {

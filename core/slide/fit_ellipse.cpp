@@ -18,7 +18,7 @@ namespace {
                        std::optional<std::size_t> element = {}) {
   ErrorPlace place;
   place.element = element;
-  throw Error(code, "slide '" + name + "': " + what, place);
+  throw Error(code, slide_text(name) + ": " + what, place);
 }
 
 // Turns an ellipse given in plane coordinates into space, |u| >= |v|, normal along u x v.

@@ -112,9 +112,21 @@ Vector3 deepest_point(const Points& loop, const Ellipse& ellipse) {
   return best;
 }
 
-Error of_slide(const Error& error, std::size_t index) {
+// Where the slide is; not finite where it does not say.
+Vector3 place_of(const SlideDefinition& definition) {
+  if (const auto* stroke = std::get_if<StrokeDefinition>(&definition)) {
+    return stroke->points.colwise().sum() / static_cast<double>(stroke->points.rows());
+  }
+  if (const auto* plane = std::get_if<PointNormalDefinition>(&definition)) return plane->point;
+  if (const auto* click = std::get_if<PointDefinition>(&definition)) return click->point;
+  return std::get<EllipseDefinition>(definition).center;
+}
+
+Error of_slide(const Error& error, const Slide& slide, std::size_t index) {
   ErrorPlace place = error.place();
   place.slide = index;
+  const Vector3 own = place_of(slide.definition);
+  if (!place.point && own.allFinite()) place.point = own;
   return {error.code(), error.what(), place};
 }
 
@@ -132,7 +144,7 @@ SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const PointNormalDefinitio
   if (!loop) loop = nearest_loop(loops, plane.point, plane.normal);
   if (!loop)
     fail(ErrorCode::slide_misses_model,
-         "slide '" + name + "' misses the model: its plane through " + to_text(plane.point) +
+         slide_text(name) + " misses the model: its plane through " + to_text(plane.point) +
              " does not cut it; move the point onto the limb to cut",
          index, plane.point);
   SlideOnModel placed{fit_loop(loop->points, plane.point, plane.normal, name), *loop, false};
@@ -147,13 +159,13 @@ SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, con
   const std::vector<PlaneLoop> loops = plane_loops(mesh, ellipse.center, ellipse.normal);
   if (loops.empty())
     fail(ErrorCode::slide_misses_model,
-         "slide '" + name + "' misses the model: its plane through " + to_text(ellipse.center) +
+         slide_text(name) + " misses the model: its plane through " + to_text(ellipse.center) +
              " does not cut it; move the slide onto the limb to cut",
          index, ellipse.center);
   const PlaneLoop* loop = enclosing_loop(loops, ellipse.center, ellipse.normal);
   if (!loop)
     fail(ErrorCode::slide_not_enclosed,
-         "slide '" + name + "': no closed loop of the model goes round its centre " + to_text(ellipse.center) +
+         slide_text(name) + ": no closed loop of the model goes round its centre " + to_text(ellipse.center) +
              " in its plane; move the centre inside the limb to cut",
          index, ellipse.center);
   return {ellipse, *loop, has_inside_wall(loops, ellipse)};
@@ -216,7 +228,7 @@ SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size
     return place_ellipse(mesh, from_radii(std::get<EllipseDefinition>(slide.definition), slide.name), slide.name,
                          index);
   } catch (const Error& error) {
-    throw of_slide(error, index);
+    throw of_slide(error, slide, index);
   }
 }
 
@@ -227,7 +239,7 @@ Slide with_plane(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index
     check_definition(slide);
     return {slide.name, plane_across_limb(mesh, *click, slide.name)};
   } catch (const Error& error) {
-    throw of_slide(error, index);
+    throw of_slide(error, slide, index);
   }
 }
 

@@ -233,10 +233,10 @@ TEST(AbiArgument, ThatIsNoneOfItsKindIsRefusedAndTold) {
   const SolvedCapsule solved;
   const Session& s = solved.session;
   cgw_slide_input input = plane("odd", 1);
-  input.kind = 3;
+  input.kind = 4;
   std::uint64_t id = 0;
   EXPECT_REFUSED(api().slide_add(s, &input, &id));
-  EXPECT_NE(s.error().find("'odd': kind 3"), std::string::npos) << s.error();
+  EXPECT_NE(s.error().find("'odd': kind 4"), std::string::npos) << s.error();
   input = plane("bad \xC3\x28 name", 1);
   EXPECT_REFUSED(api().slide_add(s, &input, &id));
   EXPECT_NE(s.error().find("UTF-8 from its byte 4"), std::string::npos) << s.error();
