@@ -41,6 +41,7 @@ TEST(AbiNull, SessionIsRefusedByEveryFunction) {
   EXPECT_REFUSED(a.slide_change(nullptr, 1, &input));
   EXPECT_REFUSED(a.slide_remove(nullptr, 1));
   EXPECT_REFUSED(a.slide_info(nullptr, 0, &slide));
+  EXPECT_REFUSED(a.slide_fit(nullptr, &input, &slide));
   EXPECT_REFUSED(a.solve(nullptr, nullptr));
   EXPECT_REFUSED(a.get_parts(nullptr, &parts));
   EXPECT_REFUSED(a.get_section(nullptr, 0, &section));
@@ -64,6 +65,7 @@ TEST(AbiNull, ArgumentIsRefusedByEveryFunctionAndNamed) {
   const Mesh mesh = capsule();
   const cgw_mesh view = mesh.view();
   const cgw_slide_input input = plane("a", 1);
+  cgw_slide_info slide = CGW_SLIDE_INFO_INIT;
   cgw_mesh_report report = CGW_MESH_REPORT_INIT;
   std::uint64_t id = 0;
   double value = 0;
@@ -85,6 +87,8 @@ TEST(AbiNull, ArgumentIsRefusedByEveryFunctionAndNamed) {
   EXPECT_REFUSED(a.slide_add(s, &input, nullptr));
   EXPECT_REFUSED(a.slide_change(s, solved.left, nullptr));
   EXPECT_REFUSED(a.slide_info(s, 0, nullptr));
+  EXPECT_REFUSED(a.slide_fit(s, nullptr, &slide));
+  EXPECT_REFUSED(a.slide_fit(s, &input, nullptr));
   EXPECT_REFUSED(a.get_parts(s, nullptr));
   EXPECT_REFUSED(a.get_section(s, 0, nullptr));
   EXPECT_REFUSED(a.get_loop(s, 0, nullptr));
