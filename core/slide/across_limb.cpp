@@ -159,11 +159,12 @@ class Search {
     return {};
   }
 
-  // Empty where it is shorter than rounding shows.
+  // Empty where it does not run round solid material, or is shorter than rounding shows.
   std::optional<Loop> loop_of(const Vector3& normal, bool with_spread) const {
     const auto start = first_crossed(normal);
     if (!start) return {};
     Loop loop;
+    double twice_area = 0;
     Vector3 sum = Vector3::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     HalfedgeHandle h = *start;
@@ -182,12 +183,13 @@ class Search {
       crossing = crossing_point(from, behind, to, ahead);
       const double length = (crossing - before).norm();
       loop.length += length;
+      twice_area += normal.dot((before - pivot_.point).cross(crossing - pivot_.point));
       if (!with_spread || across.isZero(0)) continue;
       across.normalize();
       sum += length * across;
       squares += length * across * across.transpose();
     } while (h != *start);
-    if (!(loop.length > 0)) return {};
+    if (!(twice_area > 0)) return {};
     const Vector3 mean = sum / loop.length;
     loop.spread = squares / loop.length - mean * mean.transpose();
     return loop;
@@ -291,8 +293,9 @@ PointNormalDefinition plane_across_limb(const HalfEdgeMesh& mesh, const PointDef
   const Pivot pivot = find_pivot(mesh, click.point, name);
   const auto found = Search(mesh, pivot).run();
   if (!found)
-    fail(ErrorCode::slide_degenerate, name,
-         "the model's triangles are too small at " + to_text(click.point) + " for a plane across it; move the point",
+    fail(ErrorCode::slide_not_enclosed, name,
+         "no plane cuts the model round its point " + to_text(click.point) +
+             ", which lies on an inside wall; put it on the outside of the limb to cut",
          click.point);
   const Vector3 normal = points_outward(*found, pivot) ? *found : Vector3(-*found);
   const Vector3 inward = -(pivot.normal - pivot.normal.dot(normal) * normal).normalized();

@@ -21,8 +21,8 @@ namespace cagewright {
 // Turns, moves and scales with the model but for rounding. Where the model is as good as round about the point (a
 // sphere), any plane through the point and the surface's normal may come.
 // Precondition: the point is finite. Throws Error: slide_misses_model where the point is farther from the surface than
-// tolerance::off_surface; slide_degenerate where no plane has a loop of any length there. `name` is for the sentences.
-// O(n) once, then O(edges in a loop) for each of about 100 planes. Thread-safe.
+// tolerance::off_surface; slide_not_enclosed where no loop there runs round solid material: on an inside wall. `name`
+// is for the sentences. O(n) once, then O(edges in a loop) for each of about 100 planes. Thread-safe.
 PointNormalDefinition plane_across_limb(const HalfEdgeMesh& mesh, const PointDefinition& click,
                                         const std::string& name);
 

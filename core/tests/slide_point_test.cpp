@@ -200,6 +200,13 @@ TEST(SlideByPoint, ThatCannotBeIsRefusedWithItsName) {
   EXPECT_EQ(far.place().point, Vector3(0, 3, 0));
   expect_error([&] { place({0, 0, 0}); }, ErrorCode::slide_misses_model, {"'wrist'"});
   expect_error([&] { place({0, nan, 0}); }, ErrorCode::slide_not_finite, {"'wrist'", "its point"});
+  const Model hollow = prepare_model(meshes::hollow_sphere(3));
+  const Error inside = expect_error(
+      [&] {
+        place_slide(hollow.mesh, {"wrist", PointDefinition{{0.5, 0, 0}}}, 7);
+      },
+      ErrorCode::slide_not_enclosed, {"'wrist'", "(0.5, 0, 0)", "inside wall", "put it on the outside"});
+  EXPECT_EQ(inside.place().slide, 7u);
   const std::vector<Slide> second = {{"elbow", PointDefinition{{0.5, 0, 0}}}, {"wrist", PointDefinition{{0, 3, 0}}}};
   EXPECT_EQ(expect_error([&] { segment(model, second); }, ErrorCode::slide_misses_model, {"'wrist'"}).place().slide,
             1u);
