@@ -3,122 +3,31 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
 
-#include "core/enclose/triangle_distance.h"
 #include "core/error/error.h"
 #include "core/mesh/tolerance.h"
 #include "core/slide/crossed_edges.h"
+#include "core/slide/pivot.h"
 
 namespace cagewright {
 namespace {
 
-using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 
-constexpr int turn_count = 12;            // directions to start from: round the surface's normal, within half a turn
-constexpr int lean_count = 5;             // and towards and away from it
-constexpr double lean_step = 0.35;        // radians
-constexpr std::size_t most_turned = 3;    // of the starts
-constexpr double smoothed = 0.05;         // about the point, over the model's radius: bumps so small do not count
-constexpr double inside_triangle = 1e-6;  // least barycentric coordinate of the point that planes turn about
-constexpr double steepest = 0.8;          // sine of the angle between a plane's normal and the surface
-constexpr double longest_loop = 1.25;     // over the start's
-constexpr double first_inertia = 0.1;     // of a direction; the variances beside it add up to at most 1
+constexpr int turn_count = 12;          // directions to start from: round the surface's normal, within half a turn
+constexpr int lean_count = 5;           // and towards and away from it
+constexpr double lean_step = 0.35;      // radians
+constexpr std::size_t most_turned = 3;  // of the starts
+constexpr double steepest = 0.8;        // sine of the angle between a plane's normal and the surface
+constexpr double longest_loop = 1.25;   // over the start's
+constexpr double first_inertia = 0.1;   // of a direction; the variances beside it add up to at most 1
 constexpr int rough_turns = 12, most_turns = 60;
 constexpr double rough_turn = 1e-3, last_turn = 1e-10;  // radians
-
-[[noreturn]] void fail(ErrorCode code, const std::string& name, const std::string& what, const Vector3& point) {
-  ErrorPlace place;
-  place.point = point;
-  throw Error(code, slide_text(name) + ": " + what, place);
-}
-
-Triangle3 corners_of(const HalfEdgeMesh& mesh, FaceHandle face) {
-  const HalfedgeHandle h = mesh.halfedge_handle(face);
-  return {mesh.point(mesh.from_vertex_handle(h)), mesh.point(mesh.to_vertex_handle(h)),
-          mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)))};
-}
-
-// Where the planes turn: a point strictly within a triangle, so that each of them crosses two of its edges.
-struct Pivot {
-  FaceHandle face;
-  Vector3 point, normal;  // the surface's normal about it, unit
-  Vector3 along;          // unit, of the triangle's longest edge: a direction that turns with the model
-  Vector3 middle;         // of the whole surface, by area
-  double diagonal;        // of the model's box
-};
-
-Vector3 longest_edge(const Triangle3& t) {
-  Vector3 longest = t[1] - t[0];
-  for (const Vector3& edge : {Vector3(t[2] - t[1]), Vector3(t[0] - t[2])})
-    if (edge.norm() > (1 + tolerance::tie) * longest.norm()) longest = edge;
-  return longest;
-}
-
-// The surface's normal about the pivot, by area, of the triangles that are joined to its own within the radius: those
-// farther away count less, and at the radius not at all.
-Vector3 normal_about(const HalfEdgeMesh& mesh, const Pivot& pivot, double radius) {
-  Vector3 sum = Vector3::Zero();
-  std::vector<bool> seen(mesh.n_faces(), false);
-  std::vector<FaceHandle> stack = {pivot.face};
-  seen[static_cast<std::size_t>(pivot.face.idx())] = true;
-  while (!stack.empty()) {
-    const FaceHandle face = stack.back();
-    stack.pop_back();
-    const Triangle3 t = corners_of(mesh, face);
-    const double share = ((t[0] + t[1] + t[2]) / 3 - pivot.point).norm() / radius;
-    if (share >= 1 && face != pivot.face) continue;
-    sum += std::max(1 - share * share, tolerance::tie) * (t[1] - t[0]).cross(t[2] - t[0]);
-    for (const auto neighbour : mesh.ff_range(face)) {
-      if (seen[static_cast<std::size_t>(neighbour.idx())]) continue;
-      seen[static_cast<std::size_t>(neighbour.idx())] = true;
-      stack.push_back(neighbour);
-    }
-  }
-  return sum.stableNormalized();
-}
-
-Pivot find_pivot(const HalfEdgeMesh& mesh, const Vector3& point, const std::string& name) {
-  Pivot pivot;
-  Eigen::AlignedBox3d box;
-  for (const auto v : mesh.vertices()) box.extend(mesh.point(v));
-  pivot.diagonal = box.diagonal().norm();
-  const double tie = tolerance::tie * pivot.diagonal;  // at an edge, rounding must not choose between its triangles
-  double least = std::numeric_limits<double>::infinity(), area = 0;
-  Vector3 moment = Vector3::Zero();
-  for (const auto face : mesh.faces()) {
-    const Triangle3 t = corners_of(mesh, face);
-    const double twice_area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
-    area += twice_area;
-    moment += twice_area * ((t[0] - point) + (t[1] - point) + (t[2] - point)) / 3;
-    Eigen::AlignedBox3d own(t[0]);
-    own.extend(t[1]).extend(t[2]);
-    if (own.exteriorDistance(point) >= least - tie) continue;
-    if (!(twice_area > tolerance::tie * longest_edge(t).squaredNorm())) continue;  // it has no normal
-    const double distance = (at_barycentric(t, nearest_on_triangle(point, t)) - point).norm();
-    if (distance >= least - tie) continue;
-    least = distance;
-    pivot.face = face;
-  }
-  if (!(least <= tolerance::off_surface * pivot.diagonal))
-    fail(ErrorCode::slide_misses_model, name,
-         "its point " + to_text(point) + " is not on the model; put it on the surface of the limb to cut", point);
-  const Triangle3 t = corners_of(mesh, pivot.face);
-  const Vector3 weights = nearest_on_triangle(point, t).cwiseMax(inside_triangle);
-  pivot.point = at_barycentric(t, weights / weights.sum());
-  pivot.along = longest_edge(t).normalized();
-  pivot.middle = point + moment / area;
-  double reach = 0;  // unlike the diagonal, it turns with the model
-  for (const auto v : mesh.vertices()) reach = std::max(reach, (mesh.point(v) - pivot.middle).norm());
-  pivot.normal = normal_about(mesh, pivot, smoothed * reach);
-  return pivot;
-}
 
 // The loop through the pivot, as far as it is of use here.
 struct Loop {
@@ -293,10 +202,9 @@ PointNormalDefinition plane_across_limb(const HalfEdgeMesh& mesh, const PointDef
   const Pivot pivot = find_pivot(mesh, click.point, name);
   const auto found = Search(mesh, pivot).run();
   if (!found)
-    fail(ErrorCode::slide_not_enclosed, name,
-         "no plane cuts the model round its point " + to_text(click.point) +
-             ", which lies on an inside wall; put it on the outside of the limb to cut",
-         click.point);
+    throw Error(ErrorCode::slide_not_enclosed,
+                slide_text(name) + ": no plane cuts the model round its point " + to_text(click.point) +
+                    ", which lies on an inside wall; put it on the outside of the limb to cut");
   const Vector3 normal = points_outward(*found, pivot) ? *found : Vector3(-*found);
   const Vector3 inward = -(pivot.normal - pivot.normal.dot(normal) * normal).normalized();
   return {pivot.point + tolerance::into_surface * pivot.diagonal * inward, normal};
