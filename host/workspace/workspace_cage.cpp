@@ -129,6 +129,10 @@ void Workspace::wait_for_cage() {
   state_->poll();
 }
 
+void Workspace::interrupt_solve() {
+  if (state_->solver) state_->solver->cancel();
+}
+
 void Workspace::poll() { state_->poll(); }
 
 void Workspace::set_preview(std::vector<PreviewSlide> preview) {
