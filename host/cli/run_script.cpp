@@ -68,7 +68,8 @@ class ScriptRun {
     try {
       return parse_strict_json(name_, line);
     } catch (const FileError& error) {
-      throw ScriptError("is no JSON: " + error.reason());
+      const auto* at = std::get_if<Line>(&error.place());
+      throw ScriptError((at && at->column > 0 ? "column " + std::to_string(at->column) + ": " : "") + error.reason());
     }
   }
 

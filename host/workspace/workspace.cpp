@@ -40,7 +40,7 @@ void Workspace::State::set_plugin(std::shared_ptr<const Plugin> with) {
   solver.reset();  // before the plug-in that it uses
   fitter.reset();
   fitter_mesh.reset();
-  contents.clear();
+  asked.clear();
   plugin = std::move(with);
   parameters = std::move(its);
   if (plugin) solver = std::make_unique<CageSolver>(plugin, wake);

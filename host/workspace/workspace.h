@@ -56,7 +56,8 @@ class Workspace {
   // node with slides, else the first, is chosen. On failure everything stays.
   void open(const std::filesystem::path& path);
   void close();
-  // As .glb or .gltf, with the cage as it is now; waits for the cage. Path and format become the document's; atomic.
+  // As .glb or .gltf, with the cages as they are now; waits for them (Cancelled where interrupt_solve was called), but
+  // after cancel_solve takes the last good ones. Path and format become the scene's; atomic.
   void save(const std::filesystem::path& path);
   // The same without any change of this workspace: for autosave. Does not wait; the last good cage.
   void save_copy(const std::filesystem::path& path) const;

@@ -3,6 +3,7 @@
 // The cage that follows the slides.
 #include <algorithm>
 
+#include "host/plugin_client/plugin_error.h"
 #include "host/workspace/slide_names.h"
 #include "host/workspace/workspace_state.h"
 
@@ -38,7 +39,7 @@ SolveRequest Workspace::State::request_for(int mesh_node, bool editing) const {
 void Workspace::State::ask(int mesh_node, bool editing) {
   SolveRequest request = request_for(mesh_node, editing);
   request.revision = ++last_request;
-  contents[request.revision] = scene->cage(mesh_node).content;
+  asked[request.revision] = {mesh_node, editing, scene->cage(mesh_node).content};
   solver->request(std::move(request));
   tell(WorkspaceChange::progress);
 }
@@ -49,7 +50,7 @@ void Workspace::State::follow() {
   const bool is_editing = !scene->preview.empty();
   if (!is_editing && node.answered == node.content) {
     // What was shown while editing, or is still being made, is not of now.
-    if (solver) solver->cancel();
+    forget_requests();
     node.shown = node.whole;
     tell(WorkspaceChange::cage);
     return;
@@ -60,9 +61,9 @@ void Workspace::State::follow() {
 
 void Workspace::State::take(SolveResult result) {
   const bool is_latest = result.revision == last_request;
-  const auto asked = contents.find(result.revision);
-  const std::uint64_t content = asked == contents.end() ? 0 : asked->second;
-  contents.erase(contents.begin(), contents.upper_bound(result.revision));
+  const auto request = asked.find(result.revision);
+  const std::uint64_t content = request == asked.end() ? 0 : request->second.content;
+  asked.erase(asked.begin(), asked.upper_bound(result.revision));
   if (result.was_cancelled || content == 0 || !scene) return;
   NodeCage& node = scene->cage(result.mesh_node);
   const bool is_editing = result.state.is_of_editing;
@@ -91,13 +92,21 @@ void Workspace::State::poll() {
   tell(WorkspaceChange::progress);
 }
 
+void Workspace::State::forget_requests() {
+  if (solver) solver->cancel();
+  asked.clear();
+}
+
 void Workspace::State::wait_for(int mesh_node) {
-  if (!solver) return;
-  if (scene->cage(mesh_node).answered != scene->cage(mesh_node).content) {
-    if (contents.empty() || mesh_node != scene->mesh_node || !scene->preview.empty()) ask(mesh_node, false);
-    solver->wait();
-    poll();
-  }
+  const NodeCage& node = scene->cage(mesh_node);
+  if (!solver || node.answered == node.content) return;
+  const auto last = asked.find(last_request);
+  const bool is_asked = last != asked.end() && last->second.mesh_node == mesh_node && !last->second.editing &&
+                        last->second.content == node.content;
+  if (!is_asked) ask(mesh_node, false);
+  solver->wait();
+  poll();
+  if (node.answered != node.content) throw Cancelled();
 }
 
 const CageState& Workspace::cage() const {
@@ -111,7 +120,7 @@ SolveProgress Workspace::progress() const { return state_->solver ? state_->solv
 void Workspace::cancel_solve() {
   if (!state_->solver) return;
   state_->is_followed = false;
-  state_->solver->cancel();
+  state_->forget_requests();
   state_->tell(WorkspaceChange::progress);
 }
 

@@ -52,8 +52,7 @@ std::vector<std::pair<std::string, double>> all_parameters(const std::vector<Par
 }  // namespace
 
 void Workspace::State::set_scene(std::unique_ptr<OpenScene> with) {
-  if (solver) solver->cancel();
-  contents.clear();
+  forget_requests();
   fitter_mesh.reset();
   scene = std::move(with);
   is_followed = true;
@@ -115,9 +114,9 @@ void Workspace::save_copy(const std::filesystem::path& path) const {
 }
 
 void Workspace::export_cage(const std::filesystem::path& path) {
-  const OpenScene& open = state_->scene_with_mesh();
+  OpenScene& open = state_->scene_with_mesh();
   if (state_->is_followed) state_->wait_for(open.mesh_node);
-  const TriangleMesh& cage = this->cage().cage;
+  const TriangleMesh& cage = open.cage(open.mesh_node).whole.cage;
   if (cage.triangles.empty()) throw CommandError("there is no cage to export: see the problems of its slides");
   if (lower_ending(path) == ".gltf") {
     write_atomically(path, SceneDocument::of_mesh(path, cage, path.stem().string()).bytes());
