@@ -15,6 +15,7 @@ bool all_of(const ScriptJson& json, const Is& is) {
 }
 
 bool is_number(const ScriptJson& json) { return json.is_number(); }
+bool is_whole(const ScriptJson& json) { return json.is_number_integer() && json >= 0; }
 bool is_text(const ScriptJson& json) { return json.is_string(); }
 bool is_object(const ScriptJson& json) { return json.is_object(); }
 bool is_point(const ScriptJson& json) { return all_of(json, is_number) && json.size() == 3; }
@@ -30,7 +31,7 @@ bool is_of(Kind kind, const ScriptJson& json) {
     case Kind::number:
       return is_number(json);
     case Kind::whole:
-      return json.is_number_unsigned();
+      return is_whole(json);
     case Kind::boolean:
       return json.is_boolean();
     case Kind::value:
@@ -44,7 +45,7 @@ bool is_of(Kind kind, const ScriptJson& json) {
     case Kind::axis:
       return is_text(json) || is_point(json);
     case Kind::size:
-      return json.is_array() && json.size() == 2 && json[0].is_number_unsigned() && json[1].is_number_unsigned();
+      return json.is_array() && json.size() == 2 && is_whole(json[0]) && is_whole(json[1]);
     case Kind::object:
       return is_object(json);
     case Kind::objects:

@@ -93,7 +93,7 @@ class Workspace {
   // its box.
   std::vector<std::int64_t> mirror_slides(const std::vector<std::int64_t>& ids, int axis, std::optional<double> at);
   void snap_slides(const std::vector<std::int64_t>& ids);  // the ellipse becomes that of the loop in its plane
-  std::string copy_slides(const std::vector<std::int64_t>& ids) const;  // as the text of a slides file
+  std::string copy_slides(const std::vector<std::int64_t>& ids) const;  // as the text of a slides file: ellipses
   std::vector<std::int64_t> paste_slides(const std::string& text);      // of one; throws FileError where it is none
   // What one of the above would fit; for previews. Throws as they do.
   Slide::Ellipse fit(const Slide& slide) const;
