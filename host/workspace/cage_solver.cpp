@@ -92,8 +92,10 @@ struct CageSolver::State {
       made.state = {};
       made.state.is_of_editing = request.editing;
       made.state.failed = true;
-      if (session) made.state.problems = problems_of(error, *session, request);
-      else made.state.problems = {{error.what(), {}, {}}};
+      if (session)
+        made.state.problems = problems_of(error, *session, request);
+      else
+        made.state.problems = {{error.what(), {}, {}}};
     } catch (const std::bad_alloc&) {
       made.state = {};
       made.state.failed = true;

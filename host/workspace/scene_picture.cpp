@@ -9,8 +9,8 @@ namespace cagewright::host {
 namespace {
 
 bool is_at_fault(const CageState& cage, std::int64_t id) {
-  return std::ranges::any_of(
-      cage.problems, [&](const Problem& it) { return std::ranges::find(it.slides, id) != it.slides.end(); });
+  return std::ranges::any_of(cage.problems,
+                             [&](const Problem& it) { return std::ranges::find(it.slides, id) != it.slides.end(); });
 }
 
 }  // namespace
@@ -40,8 +40,7 @@ std::vector<View> turntable(const View& first, std::size_t frames) {
   std::vector<View> views(frames, first);
   for (std::size_t k = 0; k < frames; ++k) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(frames);
-    const Eigen::Vector3d toward =
-        Eigen::AngleAxisd(angle, up) * Eigen::Vector3d::Map(first.toward_viewer.data());
+    const Eigen::Vector3d toward = Eigen::AngleAxisd(angle, up) * Eigen::Vector3d::Map(first.toward_viewer.data());
     views[k].toward_viewer = {toward.x(), toward.y(), toward.z()};
   }
   return views;

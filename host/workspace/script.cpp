@@ -70,7 +70,9 @@ nlohmann::json ScriptRunner::run(const nlohmann::json& command) {
   return said.is_null() ? ScriptJson::object() : said;
 }
 
-void ScriptRunner::interrupt_where(std::function<bool()> is_interrupted) { is_interrupted_ = std::move(is_interrupted); }
+void ScriptRunner::interrupt_where(std::function<bool()> is_interrupted) {
+  is_interrupted_ = std::move(is_interrupted);
+}
 
 void ScriptRunner::record(std::function<void(const nlohmann::json&)> recorder) { recorder_ = std::move(recorder); }
 
@@ -79,8 +81,8 @@ std::vector<ScriptRunner::Description> ScriptRunner::commands() {
   for (const ScriptCommand& command : table()) {
     std::string arguments;
     for (const ScriptArgument& argument : command.arguments) {
-      arguments += (arguments.empty() ? "" : "; ") + std::string(argument.name) + (argument.is_needed ? "" : "?") + ": " +
-                   script_kind_text(argument.kind);
+      arguments += (arguments.empty() ? "" : "; ") + std::string(argument.name) + (argument.is_needed ? "" : "?") +
+                   ": " + script_kind_text(argument.kind);
     }
     descriptions.push_back({command.name, arguments, command.doc, command.is_of_view});
   }

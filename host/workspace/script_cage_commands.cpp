@@ -79,7 +79,8 @@ std::vector<ScriptCommand> script_cage_commands() {
        report},
       {"validate",
        {{"html", Kind::text}, {"json", Kind::text}, {"seconds", Kind::number}, {"starts", Kind::whole}},
-       "Has Ceres check the plug-in's figures, as \"cagewright validate\" does, and waits; writes what it finds or says "
+       "Has Ceres check the plug-in's figures, as \"cagewright validate\" does, and waits; writes what it finds or "
+       "says "
        "it",
        validate},
   };

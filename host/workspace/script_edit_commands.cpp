@@ -146,7 +146,8 @@ std::vector<ScriptCommand> script_edit_commands() {
         {"axis", Kind::axis},
         {"move", Kind::point},
         {"label", Kind::text}},
-       "Makes a slide another ellipse, or scales, turns (degrees, about an axis through its centre) and moves slides; one "
+       "Makes a slide another ellipse, or scales, turns (degrees, about an axis through its centre) and moves slides; "
+       "one "
        "step, which undo calls `label`",
        change_slide},
       {"change_slides",

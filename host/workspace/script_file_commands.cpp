@@ -40,7 +40,8 @@ ScriptJson select_mesh(ScriptContext& context, const ScriptArguments& arguments)
   const ScriptJson& wanted = arguments["node"];
   int node = -1, count = 0;
   for (const SceneMeshNode& it : workspace.document().mesh_nodes()) {
-    const bool is_it = wanted.is_string() ? it.name == wanted.get<std::string>() : it.node == wanted.get<std::int64_t>();
+    const bool is_it =
+        wanted.is_string() ? it.name == wanted.get<std::string>() : it.node == wanted.get<std::int64_t>();
     if (!is_it) continue;
     node = it.node;
     ++count;

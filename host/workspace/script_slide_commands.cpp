@@ -93,14 +93,17 @@ std::vector<ScriptCommand> script_slide_commands() {
         {"center", Kind::point},
         {"u", Kind::point},
         {"v", Kind::point}},
-       "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of the "
+       "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of "
+       "the "
        "points alone), of a point and a normal, or of an ellipse; says its name",
        add_slide},
       {"extend_stroke",
        {{"slide", Kind::text, true}, {"points", Kind::points, true}},
        "Adds points to the stroke that a slide was fitted to, and fits it again",
        extend_stroke},
-      {"rename_slide", {{"slide", Kind::text, true}, {"name", Kind::text, true}}, "Gives a slide another name",
+      {"rename_slide",
+       {{"slide", Kind::text, true}, {"name", Kind::text, true}},
+       "Gives a slide another name",
        rename_slide},
       {"remove_slides", {{"slides", Kind::names, true}}, "Removes slides, in one step", remove_slides},
       {"duplicate_slides",

@@ -58,7 +58,8 @@ MeshValidation validate_mesh(const Workspace& workspace, const ValidationOptions
   session.solve(options.threads);
   MeshValidation found;
   const TriangleMesh& model = workspace.mesh();
-  found.report = {workspace.path().string(), CAGEWRIGHT_VERSION,
+  found.report = {workspace.path().string(),
+                  CAGEWRIGHT_VERSION,
                   {{"plugin", workspace.plugin()->path().string()},
                    {"plugin version", workspace.plugin()->version()},
                    {"starts", std::to_string(options.starts)},

@@ -72,7 +72,7 @@ class Workspace {
   // ---- the mesh to cage
   int mesh_node() const;  // -1: none
   void choose_mesh(int node);
-  const TriangleMesh& mesh() const;               // in its node's space; precondition: mesh_node() >= 0
+  const TriangleMesh& mesh() const;  // in its node's space; precondition: mesh_node() >= 0
   // Of any mesh node; read once. Null where it cannot be read (notes() has the sentence where it was tried at open).
   std::shared_ptr<const TriangleMesh> mesh_of(int node) const;
   std::vector<const SceneSlide*> slides() const;  // of that mesh node, in the document's order

@@ -3,8 +3,8 @@
 
 #include "host/command/cage_commands.h"
 #include "host/file/atomic_file.h"
-#include "host/file/file_error.h"
 #include "host/file/file_bytes.h"
+#include "host/file/file_error.h"
 #include "host/file/mesh_writer.h"
 #include "host/scene/external_files.h"
 #include "host/scene/scene_names.h"

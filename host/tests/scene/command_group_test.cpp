@@ -73,7 +73,8 @@ TEST(SetParameters, RefuseWhatAFileCouldNotHold) {
   SceneDocument document = own_scene("slides_plain.gltf");
   expect_refused(document, SetParameters(5, {}, "x"), {"node 5", "choose one that has"});
   expect_refused(document, SetParameters(0, {{"\xff", 1}}, "x"), {"not UTF-8"});
-  expect_refused(document, SetParameters(0, {{"a", std::numeric_limits<double>::infinity()}}, "x"), {"\"a\"", "finite"});
+  expect_refused(document, SetParameters(0, {{"a", std::numeric_limits<double>::infinity()}}, "x"),
+                 {"\"a\"", "finite"});
 }
 
 }  // namespace

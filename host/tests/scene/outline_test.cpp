@@ -68,11 +68,13 @@ TEST(ToScene, PlacesMeshesByTheirNodes) {
 }
 
 TEST(ToScene, PlacesASkinnedMeshByItsBindPoseWhateverItsNode) {
-  const SceneDocument document = own_scene("geometry_skin.glb");
-  const int node = document.mesh_nodes().front().node;
-  const Matrix matrix = document.to_scene(node);
-  for (const double x : matrix) EXPECT_TRUE(std::isfinite(x));
-  EXPECT_EQ(matrix[15], 1);
+  const Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const SceneDocument bound = own_scene("geometry_skin.glb");
+  EXPECT_EQ(bound.to_scene(bound.mesh_nodes().front().node), identity) << "its matrices take back where the joint is";
+  const SceneDocument unbound = own_scene("geometry_skin_without_matrices.glb");
+  Matrix at_joint = identity;
+  at_joint[7] = -1;
+  EXPECT_EQ(unbound.to_scene(unbound.mesh_nodes().front().node), at_joint);
 }
 
 }  // namespace

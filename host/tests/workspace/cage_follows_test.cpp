@@ -217,7 +217,8 @@ TEST_F(CageFollowsTest, AWholeSolveOfABigModelIsCancelledWithinASecondAndLeavesN
     workspace.open(big);
     for (const double y : {-1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5}) workspace.add_slide(across("", y));
     ASSERT_TRUE(wait_until(workspace, news, [&] {
-      return workspace.cage().is_of_now || workspace.progress().stage == "refine" || workspace.progress().stage == "enclose";
+      return workspace.cage().is_of_now || workspace.progress().stage == "refine" ||
+             workspace.progress().stage == "enclose";
     }));
     const auto begin = Clock::now();
     workspace.cancel_solve();

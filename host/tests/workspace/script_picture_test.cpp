@@ -46,9 +46,12 @@ TEST_F(ScriptPictureTest, APictureShowsMeshSlidesAndCageAsTheyAreNow) {
 TEST_F(ScriptPictureTest, ATurntableIsAWholeTurnRoundWhatIsUp) {
   workspace_.open(model_);
   workspace_.add_slide({"a", Slide::PointNormal{{0.3, 0.5, 0}, {0, 1, 0}}});
-  const Json turn = {{"command", "turntable"}, {"folder", (folder_ / "turn").string()},
-                     {"frames", 4},            {"from", {0, 0, 1}},
-                     {"up", {0, 1, 0}},        {"size", {200, 200}}};
+  const Json turn = {{"command", "turntable"},
+                     {"folder", (folder_ / "turn").string()},
+                     {"frames", 4},
+                     {"from", {0, 0, 1}},
+                     {"up", {0, 1, 0}},
+                     {"size", {200, 200}}};
   EXPECT_EQ(runner_.run(turn)["frames"], 4);
   std::vector<double> aspects;
   for (const char* name : {"frame_0001.png", "frame_0002.png", "frame_0003.png", "frame_0004.png"}) {
@@ -60,9 +63,7 @@ TEST_F(ScriptPictureTest, ATurntableIsAWholeTurnRoundWhatIsUp) {
   EXPECT_LT(aspects[1], aspects[0]) << "from the side it is narrower";
 }
 
-TEST_F(ScriptPictureTest, WithoutAMeshThereIsNoPicture) {
-  EXPECT_THROW(picture(Json::object()), CommandError);
-}
+TEST_F(ScriptPictureTest, WithoutAMeshThereIsNoPicture) { EXPECT_THROW(picture(Json::object()), CommandError); }
 
 }  // namespace
 }  // namespace cagewright::host::test

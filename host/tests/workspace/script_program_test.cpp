@@ -85,8 +85,8 @@ TEST_F(ScriptProgramTest, StopsAtTheFirstCommandThatFailsAndNamesItsLine) {
   expect_stop("{\"command\": \"close\", \"command\": \"close\"}", ":1: ", "twice");
   expect_stop("{\"command\": \"open\", \"path\": \"FOLDER/none.off\"}", ":1: ", "none.off");
   expect_stop(open + "{\"command\": \"undo\"}", ":2: ", "nothing to undo");
-  expect_stop(open + "{\"command\": \"add_slide\", \"name\": \"far\", \"point\": [0, 9, 0], \"normal\": [0, 1, 0]}", ":2: ",
-              "'far'");
+  expect_stop(open + "{\"command\": \"add_slide\", \"name\": \"far\", \"point\": [0, 9, 0], \"normal\": [0, 1, 0]}",
+              ":2: ", "'far'");
   expect_stop(open + "{\"command\": \"picture\", \"path\": \"FOLDER/p.png\"}", ":2: ", "display");
   expect_stop("{\"command\": \"load_plugin\", \"path\": \"FOLDER/limb.off\"}", ":1: ", "limb.off");
   expect_stop("{\"command\": \"save\"}\n" + open, ":1: ", "no scene is open");
@@ -101,7 +101,8 @@ TEST_F(ScriptProgramTest, ACageWithoutACertificateIsExitCodeOne) {
   const ProgramRun failed = run({"--command", script("s.script", lines)});
   EXPECT_EQ(failed.exit_code, 1) << failed.errors;
   EXPECT_NE(failed.output.find("'a'"), std::string::npos) << "the problem is said";
-  const ProgramRun mended = run({"--command", script("s.script", lines + "{\"command\": \"undo\"}\n{\"command\": \"wait\"}")});
+  const ProgramRun mended =
+      run({"--command", script("s.script", lines + "{\"command\": \"undo\"}\n{\"command\": \"wait\"}")});
   EXPECT_EQ(mended.exit_code, 0) << mended.output;
 }
 

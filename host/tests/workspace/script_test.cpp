@@ -34,7 +34,8 @@ TEST_F(ScriptTest, EverySlideCommandDoesWhatItsNameSays) {
   EXPECT_EQ(run(R"({"command": "add_slide", "point": [0.3, 0, 0], "normal": [0, 1, 0]})")["slide"], "slide 1");
   run(R"({"command": "add_slide", "name": "hip", "center": [0, 1, 0], "u": [0.43, 0, 0], "v": [0, 0, -0.35]})");
   EXPECT_EQ(run(R"({"command": "duplicate_slides", "slides": "hip"})"), Json::parse(R"({"slides": ["hip copy"]})"));
-  EXPECT_EQ(run(R"({"command": "mirror_slides", "slides": ["hip"], "axis": "y", "at": 0})")["slides"][0], "hip mirrored");
+  EXPECT_EQ(run(R"({"command": "mirror_slides", "slides": ["hip"], "axis": "y", "at": 0})")["slides"][0],
+            "hip mirrored");
   EXPECT_EQ(ellipse("hip mirrored").center[1], -1);
   run(R"({"command": "rename_slide", "slide": "hip mirrored", "name": "knee"})");
   run(R"({"command": "remove_slides", "slides": ["slide 1", "hip copy"]})");
@@ -147,8 +148,9 @@ TEST_F(ScriptTest, CeresChecksWhatIsOpen) {
   open_with_slides({-0.5, 0.5});
   const Json found = run(R"({"command": "validate", "seconds": 0, "starts": 3})");
   EXPECT_EQ(found["agrees"], true);
-  EXPECT_EQ(run("validate", {{"seconds", 0}, {"starts", 3}, {"json", path("v.json")}, {"html", path("v.html")}})["agrees"],
-            true);
+  EXPECT_EQ(
+      run("validate", {{"seconds", 0}, {"starts", 3}, {"json", path("v.json")}, {"html", path("v.html")}})["agrees"],
+      true);
   EXPECT_EQ(Json::parse(folder_.read("v.json"))["agrees"], true);
   EXPECT_TRUE(holds(folder_.read("v.html"), "<html"));
   runner_.interrupt_where([] { return true; });

@@ -27,9 +27,7 @@ class WorkspaceTest : public testing::Test {
   static std::filesystem::path own_scene(const std::string& name) {
     return std::filesystem::path(CAGEWRIGHT_OWN_SCENES) / name;
   }
-  static Slide across(const std::string& name, double y) {
-    return {name, Slide::PointNormal{{0.3, y, 0}, {0, 1, 0}}};
-  }
+  static Slide across(const std::string& name, double y) { return {name, Slide::PointNormal{{0.3, y, 0}, {0, 1, 0}}}; }
   void open_with_slides(std::initializer_list<double> heights) {
     workspace_.open(model_);
     for (const double y : heights) workspace_.add_slide(across("", y));

@@ -118,12 +118,18 @@ TEST_F(WorkspaceSlidesTest, AStrokeThatSaysNoPlaneIsRefusedAndNothingChanges) {
   workspace_.open(model_);
   const std::string before = bytes();
   const std::vector<Point3> along_sight = {{0, 0, 0.4}, {0, 0, 0.2}};
-  EXPECT_TRUE(holds(sentence_of<CommandError>([&] { workspace_.add_slide_across(along_sight, {0, 0, 1}); }),
+  EXPECT_TRUE(holds(sentence_of<CommandError>([&] {
+                      workspace_.add_slide_across(along_sight, {0, 0, 1});
+                    }),
                     "no direction across the line of sight"));
-  EXPECT_TRUE(holds(sentence_of<CommandError>([&] { workspace_.add_slide_across({{0, 0, 0}}, {0, 0, 1}); }),
+  EXPECT_TRUE(holds(sentence_of<CommandError>([&] {
+                      workspace_.add_slide_across({{0, 0, 0}}, {0, 0, 1});
+                    }),
                     "needs two points"));
-  EXPECT_TRUE(holds(
-      sentence_of<CommandError>([&] { workspace_.add_slide_across(front_stroke(0, 0, 0.1), {0, 0, 0}); }), "line of sight"));
+  EXPECT_TRUE(holds(sentence_of<CommandError>([&] {
+                      workspace_.add_slide_across(front_stroke(0, 0, 0.1), {0, 0, 0});
+                    }),
+                    "line of sight"));
   EXPECT_EQ(bytes(), before);
   EXPECT_FALSE(workspace_.stack().can_undo());
 }
@@ -155,7 +161,8 @@ TEST_F(WorkspaceSlidesTest, MirroredSlidesAreOnTheOtherSideWithTheirNormalsMirro
   EXPECT_NEAR(there.center[0], -here.center[0], 1e-7) << "across the middle of the box";
   EXPECT_EQ(there.center[1], here.center[1]);
   const auto normal = [](const Slide::Ellipse& e) {
-    return Point3{e.u[1] * e.v[2] - e.u[2] * e.v[1], e.u[2] * e.v[0] - e.u[0] * e.v[2], e.u[0] * e.v[1] - e.u[1] * e.v[0]};
+    return Point3{e.u[1] * e.v[2] - e.u[2] * e.v[1], e.u[2] * e.v[0] - e.u[0] * e.v[2],
+                  e.u[0] * e.v[1] - e.u[1] * e.v[0]};
   };
   EXPECT_NEAR(normal(there)[0], -normal(here)[0], 1e-12);
   EXPECT_NEAR(normal(there)[1], normal(here)[1], 1e-12);
