@@ -35,6 +35,21 @@ PictureInput scene_picture(const Workspace& workspace) {
   return input;
 }
 
+PictureInput session_picture(const Session& session, const TriangleMesh& model, const TriangleMesh& cage,
+                             const std::vector<double>& cage_points) {
+  PictureInput input;
+  input.model_points = model.points;
+  input.model_triangles = model.triangles;
+  input.cage_points = cage_points;
+  input.cage_triangles = cage.triangles;
+  for (const SlideInfo& slide : session.slides()) {
+    if (slide.info.has_ellipse != 1) continue;
+    input.slides.push_back({std::to_array(slide.info.center), std::to_array(slide.info.u), std::to_array(slide.info.v),
+                            slide.info.status != CGW_OK});
+  }
+  return input;
+}
+
 std::vector<View> turntable(const View& first, std::size_t frames) {
   const Eigen::Vector3d up = Eigen::Vector3d::Map(first.up.data()).stableNormalized();
   std::vector<View> views(frames, first);

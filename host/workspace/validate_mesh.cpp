@@ -2,27 +2,17 @@
 #include "host/workspace/validate_mesh.h"
 
 #include "host/plugin_client/plugin_error.h"
-#include "host/view/picture.h"
+#include "host/workspace/scene_picture.h"
 
 namespace cagewright::host {
 namespace {
 
 std::string picture_of(const Session& session, const TriangleMesh& model, const TriangleMesh& cage,
                        const std::vector<double>& cage_points) {
-  PictureInput input;
-  input.model_points = model.points;
-  input.model_triangles = model.triangles;
-  input.cage_points = cage_points;
-  input.cage_triangles = cage.triangles;
-  for (const SlideInfo& slide : session.slides()) {
-    if (slide.info.has_ellipse != 1) continue;
-    input.slides.push_back({std::to_array(slide.info.center), std::to_array(slide.info.u), std::to_array(slide.info.v),
-                            slide.info.status != CGW_OK});
-  }
   PictureOptions options;
   options.width = 960;
   options.height = 600;
-  const std::vector<std::uint8_t> png = render_picture(input, options);
+  const std::vector<std::uint8_t> png = render_picture(session_picture(session, model, cage, cage_points), options);
   return {png.begin(), png.end()};
 }
 

@@ -59,6 +59,7 @@ class Workspace {
   // As .glb or .gltf, with the cages as they are now; waits for them (Cancelled where interrupt_solve was called), but
   // after cancel_solve takes the last good ones. Path and format become the scene's; atomic.
   void save(const std::filesystem::path& path);
+  bool has_to_wait_to_save() const;  // whether save would have to wait for a cage
   // The same without any change of this workspace: for autosave. Does not wait; the last good cage.
   void save_copy(const std::filesystem::path& path) const;
   // The cage alone: .obj .off .ply .stl .glb .gltf. Throws CommandError where there is none.
@@ -87,8 +88,8 @@ class Workspace {
   void change_slides(const std::vector<std::pair<std::int64_t, Slide::Ellipse>>& slides, const std::string& label);
   void rename_slide(std::int64_t id, const std::string& name);
   void remove_slides(const std::vector<std::int64_t>& ids);
+  // Slides that are new, here and below and above, are selected.
   std::vector<std::int64_t> duplicate_slides(const std::vector<std::int64_t>& ids);  // moved a little along normals
-  // The new slides of duplicate, mirror and paste are selected, as is one that was added.
   // Copies on the other side of the plane x, y or z (axis 0, 1, 2) = `at` in the mesh's space; empty: the middle of
   // its box.
   std::vector<std::int64_t> mirror_slides(const std::vector<std::int64_t>& ids, int axis, std::optional<double> at);
@@ -109,7 +110,7 @@ class Workspace {
   void set_parameter(const std::string& id, double value);
   void reset_parameters();
 
-  // ---- undo
+  // ---- undo; the mesh whose slides or parameters change is then the chosen one
   void undo();
   void redo();
   const CommandStack& stack() const;  // precondition: has_scene()

@@ -3,6 +3,7 @@
 // The cage that follows the slides.
 #include <algorithm>
 
+#include "host/file/file_error.h"
 #include "host/plugin_client/plugin_error.h"
 #include "host/workspace/slide_names.h"
 #include "host/workspace/workspace_state.h"
@@ -36,12 +37,22 @@ SolveRequest Workspace::State::request_for(int mesh_node, bool editing) const {
   return request;
 }
 
-void Workspace::State::ask(int mesh_node, bool editing) {
-  SolveRequest request = request_for(mesh_node, editing);
-  request.revision = ++last_request;
-  asked[request.revision] = {mesh_node, editing, scene->cage(mesh_node).content};
-  solver->request(std::move(request));
+bool Workspace::State::ask(int mesh_node, bool editing) {
+  NodeCage& node = scene->cage(mesh_node);
+  try {
+    SolveRequest request = request_for(mesh_node, editing);
+    request.revision = ++last_request;
+    asked[request.revision] = {mesh_node, editing, node.content};
+    solver->request(std::move(request));
+  } catch (const FileError& error) {
+    node.whole.problems = {{error.what(), {}, {}}};
+    node.whole.failed = true;
+    node.shown = node.whole;
+    node.answered = node.content;
+    return false;
+  }
   tell(WorkspaceChange::progress);
+  return true;
 }
 
 void Workspace::State::follow() {
@@ -57,6 +68,14 @@ void Workspace::State::follow() {
   }
   if (std::exchange(node.shown.is_of_now, false)) tell(WorkspaceChange::cage);
   if (solver) ask(scene->mesh_node, is_editing);
+}
+
+void Workspace::State::follow_others() {
+  if (!scene || !is_followed || !asked.empty()) return;
+  for (const int mesh_node : scene->caged_nodes()) {
+    const NodeCage& node = scene->cage(mesh_node);
+    if (mesh_node != scene->mesh_node && node.answered != node.content && ask(mesh_node, false)) return;
+  }
 }
 
 void Workspace::State::take(SolveResult result) {
@@ -89,6 +108,7 @@ void Workspace::State::take(SolveResult result) {
 void Workspace::State::poll() {
   if (!solver) return;
   if (std::optional<SolveResult> result = solver->take_result()) take(std::move(*result));
+  follow_others();
   tell(WorkspaceChange::progress);
 }
 
@@ -103,7 +123,7 @@ void Workspace::State::wait_for(int mesh_node) {
   const auto last = asked.find(last_request);
   const bool is_asked = last != asked.end() && last->second.mesh_node == mesh_node && !last->second.editing &&
                         last->second.content == node.content;
-  if (!is_asked) ask(mesh_node, false);
+  if (!is_asked && !ask(mesh_node, false)) return;
   solver->wait();
   poll();
   if (node.answered != node.content) throw Cancelled();

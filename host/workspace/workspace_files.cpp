@@ -93,6 +93,13 @@ SceneDocument Workspace::State::with_cages(bool is_binary) const {
   return copy;
 }
 
+bool Workspace::has_to_wait_to_save() const {
+  const State& s = *state_;
+  if (!s.scene || !s.solver || !s.is_followed) return false;
+  return std::ranges::any_of(s.scene->cages(),
+                             [](const auto& entry) { return entry.second.answered != entry.second.content; });
+}
+
 void Workspace::save(const std::filesystem::path& path) {
   OpenScene& open = state_->open_scene();
   check_scene_name(path);

@@ -42,17 +42,21 @@ struct Workspace::State {
   const SceneSlide& slide(std::int64_t id) const;
   const Parameter& parameter(const std::string& id) const;
 
-  // A command, and what follows from it. `selection`: afterwards; empty optional: as it was.
+  // A command, and what follows from it.
   void run(std::unique_ptr<Command> command);
   void run_group(const std::string& label, std::vector<std::unique_ptr<Command>> commands);
   // After the document has changed: tells of it and asks for its cage.
   void follow_document();
+  void step(bool (CommandStack::*undo_or_redo)());
+  void choose_mesh(int node);
   void select(std::vector<std::int64_t> ids);
   void set_scene(std::unique_ptr<OpenScene> scene);
 
   // The cage: asks for it as things are now, where it is not there yet.
   void follow();
-  void ask(int mesh_node, bool editing);
+  void follow_others();  // asks for the next cage of a mesh that is not chosen and was changed
+  // False where there is nothing to solve: the mesh cannot be read.
+  bool ask(int mesh_node, bool editing);
   SolveRequest request_for(int mesh_node, bool editing) const;
   void take(SolveResult result);
   void poll();

@@ -264,6 +264,25 @@ TEST_F(CageFollowsTest, EveryMeshOfASceneHasACageOfItsOwn) {
   EXPECT_THROW(workspace_.choose_mesh(77), CommandError);
 }
 
+TEST_F(CageFollowsTest, UndoChoosesTheMeshThatItIsAboutAndCagesOfOthersAreMadeAfterwards) {
+  workspace_.open(own_scene("nodes_several_meshes.glb"));
+  const std::vector<SceneMeshNode> nodes = workspace_.document().mesh_nodes();
+  workspace_.add_slide({"cut", Slide::PointNormal{{0, 0, 0}, {0, 1, 0}}});
+  workspace_.choose_mesh(nodes[1].node);  // the first one's cage is not there yet
+  EXPECT_TRUE(workspace_.has_to_wait_to_save());
+  workspace_.wait_for_cage();
+  workspace_.wait_for_cage();
+  EXPECT_FALSE(workspace_.has_to_wait_to_save());
+  workspace_.undo();
+  EXPECT_EQ(workspace_.mesh_node(), nodes[0].node);
+  workspace_.wait_for_cage();
+  EXPECT_TRUE(workspace_.cage().is_of_now);
+  workspace_.choose_mesh(nodes[1].node);
+  workspace_.redo();
+  EXPECT_EQ(workspace_.mesh_node(), nodes[0].node);
+  EXPECT_EQ(names(), std::vector<std::string>{"cut"});
+}
+
 TEST_F(CageFollowsTest, ListenersAreToldWhatChanged) {
   std::set<WorkspaceChange> told;
   workspace_.listen([&](WorkspaceChange change) { told.insert(change); });
