@@ -105,7 +105,7 @@ void Session::set_slides(const std::vector<Slide>& slides) {
   for (const Slide& slide : slides) add_slide(slide);
 }
 
-Slide Session::fit(const Slide& slide) const {
+Slide::Ellipse Session::fit(const Slide& slide) const {
   for (const SlideInfo& old : slides()) check(api().slide_remove(session_, old.info.id), "slide_remove");
   const cgw_slide_input input = to_input(slide);
   std::uint64_t id = CGW_NO_ID;
@@ -114,7 +114,7 @@ Slide Session::fit(const Slide& slide) const {
   options.last_stage = CGW_STAGE_SEGMENT;
   check(api().solve(session_, &options), "solve");
   const cgw_slide_info info = slides().front().info;
-  return {slide.name, Slide::Ellipse{std::to_array(info.center), std::to_array(info.u), std::to_array(info.v)}};
+  return {std::to_array(info.center), std::to_array(info.u), std::to_array(info.v)};
 }
 
 void Session::solve(std::uint32_t threads, bool editing) {

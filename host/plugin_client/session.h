@@ -47,7 +47,7 @@ class Session {
   // These instead of those that there are.
   void set_slides(const std::vector<Slide>& slides);
   // The slide as an ellipse: what a solve would make of it.
-  Slide fit(const Slide& slide) const;
+  Slide::Ellipse fit(const Slide& slide) const;
 
   // threads: 0 for as many as the machine has. editing: few steps of refinement, and no tightening.
   void solve(std::uint32_t threads, bool editing = false);

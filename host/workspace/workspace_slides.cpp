@@ -72,7 +72,7 @@ Slide::Ellipse Workspace::fit(const Slide& slide) const {
   }
   Slide named = slide;
   if (named.name.empty()) named.name = "new slide";
-  return std::get<Slide::Ellipse>(s.fitter->fit(named).shape);
+  return s.fitter->fit(named);
 }
 
 Slide::Ellipse Workspace::fit_across(const std::vector<Point3>& stroke, const Point3& line_of_sight) const {

@@ -160,6 +160,27 @@ TEST_F(CageFollowsTest, ASlideThatMissesTheModelIsAProblemOfThatSlideAlone) {
   EXPECT_EQ(workspace_.cage().problems[0].slides, std::vector{id("away")});
 }
 
+TEST_F(CageFollowsTest, ASlideThatThePluginDoesNotEvenTakeIsNamedToo) {
+  CageSolver solver(plugin_, {});
+  const auto mesh = std::make_shared<const TriangleMesh>(ellipsoid(24, 48));
+  const Slide::Ellipse good{{0, 0, 0}, {0.5, 0, 0}, {0, 0, -0.4}}, flat{{0, 1, 0}, {0.5, 0, 0}, {0.5, 0, 0}};
+  const Slide::Ellipse other{{0, -1, 0}, {0.43, 0, 0}, {0, 0, -0.35}};
+  solver.request({0, mesh, {{4, {"good", good}}, {7, {"old", other}}}, {}, false, 1});
+  solver.wait();
+  EXPECT_FALSE(solver.take_result()->state.failed);
+  solver.request({0, mesh, {{4, {"good", good}}, {5, {"flat", flat}}, {6, {"other", other}}}, {}, false, 2});
+  solver.wait();
+  const SolveResult refused = *solver.take_result();
+  EXPECT_TRUE(refused.state.failed);
+  ASSERT_EQ(refused.state.problems.size(), 1U);
+  EXPECT_EQ(refused.state.problems[0].slides, std::vector<std::int64_t>{5}) << refused.state.problems[0].sentence;
+  solver.request({0, mesh, {{4, {"good", good}}, {6, {"other", other}}}, {}, false, 3});
+  solver.wait();
+  const SolveResult mended = *solver.take_result();
+  EXPECT_FALSE(mended.state.failed);
+  EXPECT_EQ(mended.state.section_slides, (std::vector<std::int64_t>{4, 6}));
+}
+
 TEST_F(CageFollowsTest, ACertificateThatFailsIsAProblemThatNamesItsSlidesAndAPlace) {
   CageState state;
   SolveRequest request;
