@@ -77,7 +77,9 @@ class ScriptRun {
     try {
       const nlohmann::json command = parse(line);
       const nlohmann::json said = runner_.run(command);
-      if (!said.empty()) std::cout << said.dump() << std::endl;
+      using nlohmann::json;
+      // A path in it may be no UTF-8.
+      if (!said.empty()) std::cout << said.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
       judge(command["command"].get<std::string>());
     } catch (const PluginError& error) {
       throw_if_interrupted();

@@ -29,7 +29,7 @@ class ScriptRunner {
   explicit ScriptRunner(Workspace& workspace, ViewCommand view = {});
 
   // Returns what the command has to say: {} or, of report, copy ..., an object. Throws ScriptError, CommandError,
-  // FileError, PluginError, PluginLoadError, PictureError; then nothing has changed.
+  // FileError, PluginError, PluginLoadError, PictureError, Cancelled; then nothing has changed.
   nlohmann::json run(const nlohmann::json& command);
 
   // Asked while a command works for long (validate); where it answers true the command throws Cancelled. May be empty.
