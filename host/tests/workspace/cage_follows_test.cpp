@@ -121,6 +121,21 @@ TEST_F(CageFollowsTest, ADragShowsAPreviewAndIsOneStepOfUndo) {
   EXPECT_EQ(workspace_.cage().cage.points, good.cage.points) << "the same bits on the way back";
 }
 
+TEST_F(CageFollowsTest, TheCageOfAPreviewThatComesLateIsNotShown) {
+  open_with_slides({-0.5, 0.5});
+  workspace_.wait_for_cage();
+  Slide::Ellipse dragged = ellipse("slide 2");
+  dragged.center[1] += 0.2;
+  workspace_.set_preview({{id("slide 2"), dragged}});
+  while (workspace_.progress().is_solving) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  workspace_.rename_slide(id("slide 1"), "knee");  // before anybody has taken it
+  workspace_.poll();
+  EXPECT_FALSE(workspace_.cage().is_of_editing);
+  workspace_.wait_for_cage();
+  EXPECT_FALSE(workspace_.cage().is_of_editing);
+  EXPECT_TRUE(workspace_.cage().is_of_now);
+}
+
 TEST_F(CageFollowsTest, AStrokeThatIsBeingDrawnIsASlideOfTheCageWithoutAnId) {
   open_with_slides({-0.5});
   workspace_.set_preview({{-1, workspace_.fit(across("", 0.5))}});
