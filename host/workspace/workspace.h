@@ -125,7 +125,8 @@ class Workspace {
   void cancel_solve();  // the cage is not followed until the next change or solve()
   void solve();         // asks for it again
   void wait_for_cage();
-  // Cancels what the solver does now, as cancel_solve does; the one function that any thread may call, so `wake` too.
+  // Cancels what the solver does now, as cancel_solve does; the one function that any thread may call, so `wake` too
+  // (but not while the plug-in is changed).
   void interrupt_solve();
   void poll();  // takes what the solver has; on the main thread after `wake`
 
