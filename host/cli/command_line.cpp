@@ -20,8 +20,10 @@ std::string number_fault(const std::string& text) {
 class CommandLine {
  public:
   CommandLine() : app_("Cagewright makes deformation cages of closed meshes from cut slides.", "cagewright") {
-    app_.require_subcommand(1);
+    app_.require_subcommand(0, 1);
     app_.set_version_flag("--version", "cagewright " CAGEWRIGHT_VERSION);
+    add_file(app_, "--command", script_file_, "Run a script, a command a line, JSON; - is standard input");
+    add_plugin(app_, script_.plugin);
     add_cage();
     add_check();
     add_params();
@@ -32,7 +34,8 @@ class CommandLine {
 
   Invocation parse(int argc, const char* const* argv) {
     if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
-      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params, strip, validate and view");
+      throw UsageError("there is no command " + in_quotes(argv[1]) +
+                       ", only cage, check, params, strip, validate and view");
     }
     try {
       app_.parse(argc, argv);
@@ -46,6 +49,12 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       throw UsageError(error.what());
     }
+    const bool has_subcommand = !app_.get_subcommands().empty();
+    if (script_file_) return script(has_subcommand);
+    if (!has_subcommand) {
+      throw UsageError("A subcommand is required: cage, check, params, strip or validate; or --command FILE");
+    }
+    if (script_.plugin) throw UsageError("--plugin before the subcommand is of --command FILE only: put it behind");
     if (cage_app_->parsed()) return cage();
     if (check_app_->parsed()) return check_;
     if (params_app_->parsed()) return params_;
@@ -186,6 +195,12 @@ class CommandLine {
     return cage_;
   }
 
+  ScriptCommandLine script(bool has_subcommand) {
+    if (has_subcommand) throw UsageError("--command FILE is all that is run: leave out the subcommand");
+    script_.script = *script_file_;
+    return script_;
+  }
+
   ValidateCommand validate() {
     append_settings(validate_.cage);
     return validate_;
@@ -208,6 +223,8 @@ class CommandLine {
   ParamsCommand params_;
   StripCommand strip_;
   ValidateCommand validate_;
+  ScriptCommandLine script_;
+  OptionalPath script_file_;
   std::optional<std::string> delta_, lambda_, iterations_;
   std::vector<std::string> set_;
 };

@@ -61,10 +61,17 @@ struct ParamsCommand {
   bool as_json = false;
 };
 
+// --command FILE: a script.
+struct ScriptCommandLine {
+  std::filesystem::path script;  // "-": standard input
+  OptionalPath plugin;
+};
+
 // Help or version was asked for and has been printed.
 struct Ended {};
 
-using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, ValidateCommand, ViewCommand, Ended>;
+using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, ValidateCommand,
+                                ScriptCommandLine, ViewCommand, Ended>;
 
 // Reads the command line; help and version go to stdout. Throws UsageError where something is wrong with it.
 Invocation parse_command_line(int argc, const char* const* argv);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/cli/run_report.h"
 
-#include <sys/resource.h>
-
 #include "host/cli/text.h"
 #include "host/file/file_error.h"
 
@@ -54,12 +52,6 @@ std::string tightness_text(const Report::Tightness& t) {
   return "volume ratio: " + figure(t.volume_ratio) + "\n" + "gap over the diagonal: mean " +
          figure(t.mean_gap_over_diagonal) + ", largest " + figure(t.max_gap_over_diagonal) + ", least " +
          figure(t.clearance_over_diagonal) + "\n";
-}
-
-double peak_memory_mb() {
-  struct rusage usage {};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts KiB
 }
 
 }  // namespace cagewright::host

@@ -15,9 +15,6 @@ RunOptions options_of(const CageCommand& command);
 std::string certificate_summary(const Report::Certificate& certificate);
 std::string tightness_text(const Report::Tightness& tightness);
 
-// The largest memory that this process has held so far, in MiB.
-double peak_memory_mb();
-
 }  // namespace cagewright::host
 
 #endif

@@ -13,12 +13,12 @@ bool is_own(const tinygltf::Node& node) {
   return is_slide_node(node) || is_cage_node(node) || is_empty_cage_node(node);
 }
 
-std::string name_of(const tinygltf::Model& model, const tinygltf::Node& node) {
+}  // namespace
+
+std::string shown_name(const tinygltf::Model& model, const tinygltf::Node& node) {
   const bool has_mesh = node.mesh >= 0 && static_cast<std::size_t>(node.mesh) < model.meshes.size();
   return node.name.empty() && has_mesh ? model.meshes[static_cast<std::size_t>(node.mesh)].name : node.name;
 }
-
-}  // namespace
 
 std::vector<SceneNode> outline(const std::filesystem::path& path, const tinygltf::Model& model,
                                const SceneContent& content) {
@@ -31,9 +31,10 @@ std::vector<SceneNode> outline(const std::filesystem::path& path, const tinygltf
     if (is_own(node)) continue;
     int parent = parents[static_cast<std::size_t>(index)];
     while (parent >= 0 && is_own(typed(parent))) parent = parents[static_cast<std::size_t>(parent)];
-    nodes.push_back({shows_model(node) ? Kind::mesh : Kind::plain, index, parent, name_of(model, node), 0});
+    nodes.push_back({shows_model(node) ? Kind::mesh : Kind::plain, index, parent, shown_name(model, node), 0});
   }
-  for (const SceneSlide& slide : content.slides) nodes.push_back({Kind::slide, -1, slide.mesh_node, slide.name, slide.id});
+  for (const SceneSlide& slide : content.slides)
+    nodes.push_back({Kind::slide, -1, slide.mesh_node, slide.name, slide.id});
   for (const SceneCage& cage : content.cages) nodes.push_back({Kind::cage, -1, cage.mesh_node, cage.name, 0});
   for (const SceneStray& stray : content.strays) nodes.push_back({Kind::stray, -1, -1, stray.name, 0});
   return nodes;

@@ -17,8 +17,8 @@
 #include "host/file/mesh_writer.h"
 #include "host/scene/base64.h"
 #include "host/scene/node_tree.h"
-#include "host/scene/own_extension.h"
 #include "host/scene/outline.h"
+#include "host/scene/own_extension.h"
 #include "host/scene/scene_parts.h"
 
 namespace cagewright::host {
@@ -35,7 +35,7 @@ struct SceneDocument::State {
   std::vector<SceneMeshNode> mesh_nodes;
   std::vector<std::weak_ptr<Listener>> listeners;
   std::map<int, std::vector<std::pair<std::string, double>>> parameters;  // by mesh node
-  SlideIds ids;                                                          // that any slide has had, or a cage names
+  SlideIds ids;                                                           // that any slide has had, or a cage names
 
   int indent() const { return !container.is_binary && container.json.find('\n') != std::string_view::npos ? 2 : -1; }
   std::string text() const { return gltf_json_text(put_together(path, base, content), indent()); }
@@ -57,11 +57,7 @@ std::vector<SceneMeshNode> mesh_nodes_of(const tinygltf::Model& model) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const tinygltf::Node& node = model.nodes[i];
     if (!shows_model(node)) continue;
-    std::string name = node.name;
-    if (name.empty() && static_cast<std::size_t>(node.mesh) < model.meshes.size()) {
-      name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
-    }
-    nodes.push_back({static_cast<int>(i), std::move(name)});
+    nodes.push_back({static_cast<int>(i), shown_name(model, node)});
   }
   return nodes;
 }

@@ -69,8 +69,9 @@ class SceneDocument {
   const std::vector<SceneMeshNode>& mesh_nodes() const;
   // The tree: the nodes of others, by number, then slides, cages and strays as they are now. O(nodes).
   std::vector<SceneNode> nodes() const;
-  // Where a mesh node's space is in the scene, a 4 x 4 matrix by rows: a skinned mesh is where its bind pose puts it, as
-  // glTF does not look at its node. Throws FileError where there is no such node or its skin cannot be read. O(nodes).
+  // Where a mesh node's space is in the scene, a 4 x 4 matrix by rows: a skinned mesh is where its bind pose puts it,
+  // as glTF does not look at its node. Throws FileError where there is no such node or its skin cannot be read.
+  // O(nodes).
   std::array<double, 16> to_scene(int node) const;
   // The mesh of a node, in its local space. Throws FileError, also where the node has none. O(size of the mesh).
   MeshFile mesh(int node) const;
@@ -78,8 +79,8 @@ class SceneDocument {
   const std::vector<SceneSlide>& slides() const;
   const std::vector<SceneCage>& cages() const;
   const std::vector<SceneStray>& strays() const;
-  // The plug-in's parameters for a mesh node's cage, by id: those of the cage that the file has, or as set since. A file
-  // holds them with a cage only.
+  // The plug-in's parameters for a mesh node's cage, by id: those of the cage that the file has, or as set since. A
+  // file holds them with a cage only.
   const std::vector<std::pair<std::string, double>>& parameters(int mesh_node) const;
   const SceneSlide* find_slide(std::int64_t id) const;
   const SceneCage* find_cage(int mesh_node) const;

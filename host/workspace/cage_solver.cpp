@@ -74,6 +74,13 @@ struct CageSolver::State {
   SolveResult solve(const SolveRequest& request) {
     SolveResult made{request.mesh_node, request.revision, false, {}};
     const auto begin = std::chrono::steady_clock::now();
+    bool has_slides = false;
+    const auto fail = [&](std::vector<Problem> problems) {
+      made.state = {};
+      made.state.is_of_editing = request.editing;
+      made.state.failed = true;
+      made.state.problems = std::move(problems);
+    };
     try {
       set_mesh(request);
       throw_if_cancelled();
@@ -81,6 +88,7 @@ struct CageSolver::State {
       std::vector<Slide> slides;
       for (const auto& [id, slide] : request.slides) slides.push_back(slide);
       session->set_slides(slides);
+      has_slides = true;
       session->solve(0, request.editing);
       throw_if_cancelled();
       made.state = read_cage_state(*plugin, *session, request);
@@ -89,15 +97,9 @@ struct CageSolver::State {
     } catch (const Cancelled&) {
       made.was_cancelled = true;
     } catch (const PluginError& error) {
-      made.state = {};
-      made.state.is_of_editing = request.editing;
-      made.state.failed = true;
-      if (session) made.state.problems = problems_of(error, *session, request);
-      else made.state.problems = {{error.what(), {}, {}}};
+      fail(problems_of(error, has_slides ? session.get() : nullptr, request));
     } catch (const std::bad_alloc&) {
-      made.state = {};
-      made.state.failed = true;
-      made.state.problems = {{"there is not enough memory for this cage", {}, {}}};
+      fail({{"there is not enough memory for this cage", {}, {}}});
     }
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     made.state.milliseconds = time.count();

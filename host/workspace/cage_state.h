@@ -39,7 +39,7 @@ struct CageState {
   std::optional<Certificate> certificate;    // where the whole road was gone
   std::optional<Measures> measures;
   cgw_summary summary = CGW_SUMMARY_INIT;
-  std::vector<double> max_signed_distances;  // of each refinement step, over the diagonal
+  std::vector<double> max_signed_distances;  // before each refinement step and, last, of the cage; over the diagonal
   std::shared_ptr<const Report> report;      // of the whole, without "model" and memory; null while editing
   double milliseconds = 0;                   // of the solve
   bool is_of_editing = false;                // few steps, no certificate: the mouse is still down

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/workspace/describe_run.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -112,6 +114,12 @@ Report describe_run(RunOptions options, const Plugin& plugin, const Session& ses
   report.version = CAGEWRIGHT_VERSION;
   report.options = with_parameters(std::move(options), plugin, session);
   return report;
+}
+
+double peak_memory_mb() {
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts KiB
 }
 
 }  // namespace cagewright::host

@@ -25,6 +25,9 @@ Report::Certificate describe_certificate(const Certificate& certificate);
 Report::Tightness describe_tightness(const Measures& measures);
 Report::Quality describe_quality(const Measures& measures);
 
+// The largest memory that this process has held so far, in MiB.
+double peak_memory_mb();
+
 }  // namespace cagewright::host
 
 #endif

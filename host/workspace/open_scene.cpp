@@ -36,6 +36,7 @@ OpenScene::OpenScene(SceneDocument read_document, std::filesystem::path save_pat
 void OpenScene::on(const SceneEvent& event) {
   const bool is_of_parameters = event.kind == SceneEvent::Kind::parameters_set;
   (is_of_parameters ? parameters_changed : slides_changed) = true;
+  changed_node = event.mesh_node;
   ++cage(event.mesh_node).content;
 }
 

@@ -42,6 +42,7 @@ class OpenScene {
   std::vector<std::int64_t> selection;
   std::vector<PreviewSlide> preview;
   bool slides_changed = false, parameters_changed = false;  // since somebody was told
+  int changed_node = -1;                                    // the mesh node that the last change was about
 
   bool is_saved() const { return stack.state() == saved_state; }
   std::vector<const SceneSlide*> slides(int node) const;

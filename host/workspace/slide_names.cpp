@@ -37,12 +37,17 @@ std::string SlideNames::like(const std::string& wanted) {
 std::string SlideNames::copy_of(const std::string& name) { return like(name + " copy"); }
 
 std::string SlideNames::mirror_of(const std::string& name) {
-  static constexpr std::array<std::pair<const char*, const char*>, 6> sides = {
-      {{"left", "right"}, {"right", "left"}, {"Left", "Right"}, {"Right", "Left"}, {"LEFT", "RIGHT"}, {"RIGHT", "LEFT"}}};
+  static constexpr std::array<std::pair<const char*, const char*>, 6> sides = {{{"left", "right"},
+                                                                                {"right", "left"},
+                                                                                {"Left", "Right"},
+                                                                                {"Right", "Left"},
+                                                                                {"LEFT", "RIGHT"},
+                                                                                {"RIGHT", "LEFT"}}};
   for (const auto& [here, there] : sides) {
     const std::string side = here;
     const std::size_t at = name.find(side);
-    const bool is_word = at != std::string::npos && (at == 0 || !is_letter(name, at - 1)) && !is_letter(name, at + side.size());
+    const bool is_word =
+        at != std::string::npos && (at == 0 || !is_letter(name, at - 1)) && !is_letter(name, at + side.size());
     if (is_word) return like(name.substr(0, at) + there + name.substr(at + side.size()));
   }
   return like(name + " mirrored");

@@ -10,18 +10,19 @@
 namespace cagewright::host {
 namespace {
 
-// Ids of the session's slides, which were added in the request's order, to the request's.
-std::map<std::uint64_t, std::int64_t> ids_of(const Session& session, const SolveRequest& request) {
+// Ids of the session's slides to the request's, by their names.
+std::map<std::uint64_t, std::int64_t> ids_of(const std::vector<SlideInfo>& slides, const SolveRequest& request) {
   std::map<std::uint64_t, std::int64_t> ids;
-  const std::vector<SlideInfo> slides = session.slides();
-  for (std::size_t k = 0; k < std::min(slides.size(), request.slides.size()); ++k) {
-    ids.emplace(slides[k].info.id, request.slides[k].first);
+  for (const SlideInfo& slide : slides) {
+    for (const auto& [id, asked] : request.slides) {
+      if (asked.name == slide.name) ids.emplace(slide.info.id, id);
+    }
   }
   return ids;
 }
 
 void read_sections(const Session& session, const SolveRequest& request, CageState& state) {
-  const auto ids = ids_of(session, request);
+  const auto ids = ids_of(session.slides(), request);
   for (const cgw_section& section : session.sections()) {
     std::array<Point3, 4> corners{};
     for (std::size_t i = 0; i < 12; ++i) corners[i / 3][i % 3] = section.corners[i];
@@ -62,9 +63,9 @@ CageState read_cage_state(const Plugin& plugin, const Session& session, const So
   return state;
 }
 
-std::vector<Problem> problems_of(const PluginError& error, const Session& session, const SolveRequest& request) {
-  const std::vector<SlideInfo> slides = session.slides();
-  const auto ids = ids_of(session, request);
+std::vector<Problem> problems_of(const PluginError& error, const Session* session, const SolveRequest& request) {
+  const std::vector<SlideInfo> slides = session ? session->slides() : std::vector<SlideInfo>();
+  const auto ids = ids_of(slides, request);
   Problem first{error.what(), {}, {}};
   const auto blame_slide = [&](std::int64_t id) {
     if (std::ranges::find(first.slides, id) == first.slides.end()) first.slides.push_back(id);
@@ -73,17 +74,20 @@ std::vector<Problem> problems_of(const PluginError& error, const Session& sessio
     if (const auto found = ids.find(id); found != ids.end()) blame_slide(found->second);
   }
   // Of a slide that the session did not even take there is no id.
-  if (slides.size() < request.slides.size() && blame(error.status()) == Blame::slides) {
-    blame_slide(request.slides[slides.size()].first);
+  if (first.slides.empty() && blame(error.status()) == Blame::slides) {
+    for (const auto& [id, slide] : request.slides) {
+      if (names(first.sentence, slide.name)) blame_slide(id);
+    }
   }
   if (error.info().has_point == 1) first.place = std::to_array(error.info().point);
   std::vector<Problem> problems;
-  for (std::size_t k = 0; k < std::min(slides.size(), request.slides.size()); ++k) {
-    if (slides[k].info.status == CGW_OK || slides[k].info.status == CGW_SLIDE_UNSOLVED) continue;
-    if (slides[k].message == first.sentence) {
-      blame_slide(request.slides[k].first);
-    } else if (std::ranges::find(first.slides, request.slides[k].first) == first.slides.end()) {
-      problems.push_back({slides[k].message, {request.slides[k].first}, {}});
+  for (const SlideInfo& slide : slides) {
+    const auto id = ids.find(slide.info.id);
+    if (id == ids.end() || slide.info.status == CGW_OK || slide.info.status == CGW_SLIDE_UNSOLVED) continue;
+    if (slide.message == first.sentence) {
+      blame_slide(id->second);
+    } else if (std::ranges::find(first.slides, id->second) == first.slides.end()) {
+      problems.push_back({slide.message, {id->second}, {}});
     }
   }
   problems.insert(problems.begin(), std::move(first));

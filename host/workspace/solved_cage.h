@@ -14,8 +14,9 @@ namespace cagewright::host {
 // Cancelled.
 CageState read_cage_state(const Plugin& plugin, const Session& session, const SolveRequest& request);
 
-// What kept it from a cage: the plug-in's sentence and place with the slides at fault, then what it says of others.
-std::vector<Problem> problems_of(const PluginError& error, const Session& session, const SolveRequest& request);
+// What kept the request from a cage: the plug-in's sentence and place with the slides at fault, then what it says of
+// others. `session`: null where it did not come to solving the request's slides.
+std::vector<Problem> problems_of(const PluginError& error, const Session* session, const SolveRequest& request);
 
 // Of a whole cage: where its certificate failed, its sentence and the slides that it names.
 std::vector<Problem> problems_of(const CageState& state, const SolveRequest& request);

@@ -40,7 +40,7 @@ void Workspace::State::set_plugin(std::shared_ptr<const Plugin> with) {
   solver.reset();  // before the plug-in that it uses
   fitter.reset();
   fitter_mesh.reset();
-  contents.clear();
+  asked.clear();
   plugin = std::move(with);
   parameters = std::move(its);
   if (plugin) solver = std::make_unique<CageSolver>(plugin, wake);
@@ -103,6 +103,22 @@ const std::vector<std::string>& Workspace::notes() const {
 
 int Workspace::mesh_node() const { return state_->scene ? state_->scene->mesh_node : -1; }
 
+void Workspace::State::choose_mesh(int node) {
+  OpenScene& open = *scene;
+  poll();
+  const bool had_selection = !open.selection.empty();
+  open.preview.clear();
+  open.selection.clear();
+  open.mesh_node = node;
+  is_followed = true;
+  for (const WorkspaceChange change : {WorkspaceChange::mesh, WorkspaceChange::slides, WorkspaceChange::parameters}) {
+    tell(change);
+  }
+  if (had_selection) tell(WorkspaceChange::selection);
+  follow();
+  tell(WorkspaceChange::cage);
+}
+
 void Workspace::choose_mesh(int node) {
   OpenScene& open = state_->open_scene();
   const auto& nodes = open.document.mesh_nodes();
@@ -110,19 +126,7 @@ void Workspace::choose_mesh(int node) {
     throw CommandError("node " + std::to_string(node) + " has no mesh to cage: choose one that has");
   }
   static_cast<void>(open.mesh(node));
-  if (open.mesh_node == node) return;
-  state_->poll();
-  const bool had_selection = !open.selection.empty();
-  open.preview.clear();
-  open.selection.clear();
-  open.mesh_node = node;
-  state_->is_followed = true;
-  for (const WorkspaceChange change : {WorkspaceChange::mesh, WorkspaceChange::slides, WorkspaceChange::parameters}) {
-    state_->tell(change);
-  }
-  if (had_selection) state_->tell(WorkspaceChange::selection);
-  state_->follow();
-  state_->tell(WorkspaceChange::cage);
+  if (open.mesh_node != node) state_->choose_mesh(node);
 }
 
 const TriangleMesh& Workspace::mesh() const { return *state_->scene_with_mesh().mesh(mesh_node()); }
@@ -146,21 +150,18 @@ const SceneSlide* Workspace::find_slide(const std::string& name) const {
   return nullptr;
 }
 
-void Workspace::undo() {
-  OpenScene& open = state_->open_scene();
+void Workspace::State::step(bool (CommandStack::*undo_or_redo)()) {
+  OpenScene& open = open_scene();
   const bool was_saved = open.is_saved();
-  if (!open.stack.undo()) return;
-  state_->follow_document();
-  if (open.is_saved() != was_saved) state_->tell(WorkspaceChange::saved);
+  open.changed_node = open.mesh_node;
+  if (!(open.stack.*undo_or_redo)()) return;
+  follow_document();
+  if (open.changed_node != open.mesh_node) choose_mesh(open.changed_node);
+  if (open.is_saved() != was_saved) tell(WorkspaceChange::saved);
 }
 
-void Workspace::redo() {
-  OpenScene& open = state_->open_scene();
-  const bool was_saved = open.is_saved();
-  if (!open.stack.redo()) return;
-  state_->follow_document();
-  if (open.is_saved() != was_saved) state_->tell(WorkspaceChange::saved);
-}
+void Workspace::undo() { state_->step(&CommandStack::undo); }
+void Workspace::redo() { state_->step(&CommandStack::redo); }
 
 void Workspace::select(std::vector<std::int64_t> ids) {
   if (!state_->scene) return;

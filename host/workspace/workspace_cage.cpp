@@ -3,6 +3,8 @@
 // The cage that follows the slides.
 #include <algorithm>
 
+#include "host/file/file_error.h"
+#include "host/plugin_client/plugin_error.h"
 #include "host/workspace/slide_names.h"
 #include "host/workspace/workspace_state.h"
 
@@ -35,12 +37,22 @@ SolveRequest Workspace::State::request_for(int mesh_node, bool editing) const {
   return request;
 }
 
-void Workspace::State::ask(int mesh_node, bool editing) {
-  SolveRequest request = request_for(mesh_node, editing);
-  request.revision = ++last_request;
-  contents[request.revision] = scene->cage(mesh_node).content;
-  solver->request(std::move(request));
+bool Workspace::State::ask(int mesh_node, bool editing) {
+  NodeCage& node = scene->cage(mesh_node);
+  try {
+    SolveRequest request = request_for(mesh_node, editing);
+    request.revision = ++last_request;
+    asked[request.revision] = {mesh_node, editing, node.content};
+    solver->request(std::move(request));
+  } catch (const FileError& error) {
+    node.whole.problems = {{error.what(), {}, {}}};
+    node.whole.failed = true;
+    node.shown = node.whole;
+    node.answered = node.content;
+    return false;
+  }
   tell(WorkspaceChange::progress);
+  return true;
 }
 
 void Workspace::State::follow() {
@@ -49,7 +61,7 @@ void Workspace::State::follow() {
   const bool is_editing = !scene->preview.empty();
   if (!is_editing && node.answered == node.content) {
     // What was shown while editing, or is still being made, is not of now.
-    if (solver) solver->cancel();
+    forget_requests();
     node.shown = node.whole;
     tell(WorkspaceChange::cage);
     return;
@@ -58,11 +70,19 @@ void Workspace::State::follow() {
   if (solver) ask(scene->mesh_node, is_editing);
 }
 
+void Workspace::State::follow_others() {
+  if (!scene || !is_followed || !asked.empty()) return;
+  for (const int mesh_node : scene->caged_nodes()) {
+    const NodeCage& node = scene->cage(mesh_node);
+    if (mesh_node != scene->mesh_node && node.answered != node.content && ask(mesh_node, false)) return;
+  }
+}
+
 void Workspace::State::take(SolveResult result) {
   const bool is_latest = result.revision == last_request;
-  const auto asked = contents.find(result.revision);
-  const std::uint64_t content = asked == contents.end() ? 0 : asked->second;
-  contents.erase(contents.begin(), contents.upper_bound(result.revision));
+  const auto request = asked.find(result.revision);
+  const std::uint64_t content = request == asked.end() ? 0 : request->second.content;
+  asked.erase(asked.begin(), asked.upper_bound(result.revision));
   if (result.was_cancelled || content == 0 || !scene) return;
   NodeCage& node = scene->cage(result.mesh_node);
   const bool is_editing = result.state.is_of_editing;
@@ -88,16 +108,25 @@ void Workspace::State::take(SolveResult result) {
 void Workspace::State::poll() {
   if (!solver) return;
   if (std::optional<SolveResult> result = solver->take_result()) take(std::move(*result));
+  follow_others();
   tell(WorkspaceChange::progress);
 }
 
+void Workspace::State::forget_requests() {
+  if (solver) solver->cancel();
+  asked.clear();
+}
+
 void Workspace::State::wait_for(int mesh_node) {
-  if (!solver) return;
-  if (scene->cage(mesh_node).answered != scene->cage(mesh_node).content) {
-    if (contents.empty() || mesh_node != scene->mesh_node || !scene->preview.empty()) ask(mesh_node, false);
-    solver->wait();
-    poll();
-  }
+  const NodeCage& node = scene->cage(mesh_node);
+  if (!solver || node.answered == node.content) return;
+  const auto last = asked.find(last_request);
+  const bool is_asked = last != asked.end() && last->second.mesh_node == mesh_node && !last->second.editing &&
+                        last->second.content == node.content;
+  if (!is_asked && !ask(mesh_node, false)) return;
+  solver->wait();
+  poll();
+  if (node.answered != node.content) throw Cancelled();
 }
 
 const CageState& Workspace::cage() const {
@@ -111,7 +140,7 @@ SolveProgress Workspace::progress() const { return state_->solver ? state_->solv
 void Workspace::cancel_solve() {
   if (!state_->solver) return;
   state_->is_followed = false;
-  state_->solver->cancel();
+  state_->forget_requests();
   state_->tell(WorkspaceChange::progress);
 }
 
@@ -127,6 +156,10 @@ void Workspace::wait_for_cage() {
   if (!state_->solver) return;
   state_->solver->wait();
   state_->poll();
+}
+
+void Workspace::interrupt_solve() {
+  if (state_->solver) state_->solver->cancel();
 }
 
 void Workspace::poll() { state_->poll(); }

@@ -3,8 +3,8 @@
 
 #include "host/command/cage_commands.h"
 #include "host/file/atomic_file.h"
-#include "host/file/file_error.h"
 #include "host/file/file_bytes.h"
+#include "host/file/file_error.h"
 #include "host/file/mesh_writer.h"
 #include "host/scene/external_files.h"
 #include "host/scene/scene_names.h"
@@ -52,8 +52,7 @@ std::vector<std::pair<std::string, double>> all_parameters(const std::vector<Par
 }  // namespace
 
 void Workspace::State::set_scene(std::unique_ptr<OpenScene> with) {
-  if (solver) solver->cancel();
-  contents.clear();
+  forget_requests();
   fitter_mesh.reset();
   scene = std::move(with);
   is_followed = true;
@@ -94,6 +93,13 @@ SceneDocument Workspace::State::with_cages(bool is_binary) const {
   return copy;
 }
 
+bool Workspace::has_to_wait_to_save() const {
+  const State& s = *state_;
+  if (!s.scene || !s.solver || !s.is_followed) return false;
+  return std::ranges::any_of(s.scene->cages(),
+                             [](const auto& entry) { return entry.second.answered != entry.second.content; });
+}
+
 void Workspace::save(const std::filesystem::path& path) {
   OpenScene& open = state_->open_scene();
   check_scene_name(path);
@@ -115,9 +121,9 @@ void Workspace::save_copy(const std::filesystem::path& path) const {
 }
 
 void Workspace::export_cage(const std::filesystem::path& path) {
-  const OpenScene& open = state_->scene_with_mesh();
+  OpenScene& open = state_->scene_with_mesh();
   if (state_->is_followed) state_->wait_for(open.mesh_node);
-  const TriangleMesh& cage = this->cage().cage;
+  const TriangleMesh& cage = open.cage(open.mesh_node).whole.cage;
   if (cage.triangles.empty()) throw CommandError("there is no cage to export: see the problems of its slides");
   if (lower_ending(path) == ".gltf") {
     write_atomically(path, SceneDocument::of_mesh(path, cage, path.stem().string()).bytes());

@@ -27,11 +27,6 @@ double middle_of(const TriangleMesh& mesh, int axis) {
   return (least + greatest) / 2;
 }
 
-Slide as_slide(const SceneSlide& slide) {
-  if (slide.stroke.empty()) return {slide.name, slide.ellipse};
-  return {slide.name, Slide::Stroke{slide.stroke}};
-}
-
 // Slides that are to be added in one step.
 class Additions {
  public:
@@ -77,7 +72,7 @@ Slide::Ellipse Workspace::fit(const Slide& slide) const {
   }
   Slide named = slide;
   if (named.name.empty()) named.name = "new slide";
-  return std::get<Slide::Ellipse>(s.fitter->fit(named).shape);
+  return s.fitter->fit(named);
 }
 
 Slide::Ellipse Workspace::fit_across(const std::vector<Point3>& stroke, const Point3& line_of_sight) const {
@@ -189,7 +184,7 @@ void Workspace::snap_slides(const std::vector<std::int64_t>& ids) {
 
 std::string Workspace::copy_slides(const std::vector<std::int64_t>& ids) const {
   std::vector<Slide> slides;
-  for (const std::int64_t id : ids) slides.push_back(as_slide(state_->slide(id)));
+  for (const std::int64_t id : ids) slides.push_back({state_->slide(id).name, state_->slide(id).ellipse});
   return slides_text("clipboard", slides);
 }
 

@@ -20,8 +20,13 @@ struct Workspace::State {
   std::unique_ptr<OpenScene> scene;  // null: nothing is open
   std::unique_ptr<CageSolver> solver;
   bool is_followed = true;  // false: cancelled, until the next change
+  struct Asked {
+    int mesh_node = -1;
+    bool editing = false;
+    std::uint64_t content = 0;
+  };
   std::uint64_t last_request = 0;
-  std::map<std::uint64_t, std::uint64_t> contents;  // of requests that are not answered: what they are made of
+  std::map<std::uint64_t, Asked> asked;  // requests that are not answered, by revision
   // For fit() alone; its mesh is the one that it was given last.
   std::unique_ptr<Session> fitter;
   std::shared_ptr<const TriangleMesh> fitter_mesh;
@@ -37,21 +42,26 @@ struct Workspace::State {
   const SceneSlide& slide(std::int64_t id) const;
   const Parameter& parameter(const std::string& id) const;
 
-  // A command, and what follows from it. `selection`: afterwards; empty optional: as it was.
+  // A command, and what follows from it.
   void run(std::unique_ptr<Command> command);
   void run_group(const std::string& label, std::vector<std::unique_ptr<Command>> commands);
   // After the document has changed: tells of it and asks for its cage.
   void follow_document();
+  void step(bool (CommandStack::*undo_or_redo)());
+  void choose_mesh(int node);
   void select(std::vector<std::int64_t> ids);
   void set_scene(std::unique_ptr<OpenScene> scene);
 
   // The cage: asks for it as things are now, where it is not there yet.
   void follow();
-  void ask(int mesh_node, bool editing);
+  void follow_others();  // asks for the next cage of a mesh that is not chosen and was changed
+  // False where there is nothing to solve: the mesh cannot be read.
+  bool ask(int mesh_node, bool editing);
   SolveRequest request_for(int mesh_node, bool editing) const;
   void take(SolveResult result);
   void poll();
-  // Until the mesh node's whole cage is there or has failed.
+  void forget_requests();  // those that are not answered
+  // Until the mesh node's whole cage is there or has failed. Throws Cancelled where it was interrupted.
   void wait_for(int mesh_node);
   // The scene with its cages as they are now, to be written as .glb or .gltf.
   SceneDocument with_cages(bool is_binary) const;
