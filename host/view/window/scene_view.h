@@ -82,6 +82,7 @@ class SceneView {
   std::optional<Hit> pick_model(double x, double y) const;
   Ray ray(double x, double y) const;                            // in the active mesh's space
   std::array<double, 2> to_display(const Point3& point) const;  // of the active mesh's space
+  Matrix4 active_to_scene() const;                              // identity where no mesh is active
 
   // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there.
   std::optional<std::array<double, 6>> bounds() const;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/view/window/surface_actor.h"
+
+#include <vtkCellData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <cstddef>
+
+#include "host/view/polydata.h"
+#include "host/view/window/colours.h"
+
+namespace cagewright::host {
+namespace {
+
+constexpr double kCreaseAngle = 50;  // degrees; sharper edges are shaded as edges
+constexpr char kVertexOfMesh[] = "vertex of the mesh";
+
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData& mesh) {
+  // Creases double vertices: each remembers whose it is.
+  const vtkNew<vtkIdTypeArray> vertices;
+  vertices->SetName(kVertexOfMesh);
+  vertices->SetNumberOfValues(mesh.GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) vertices->SetValue(i, i);
+  mesh.GetPointData()->AddArray(vertices);
+  const vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(&mesh);
+  normals->SetFeatureAngle(kCreaseAngle);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+void set_colour_of(vtkUnsignedCharArray& bytes, vtkIdType row, const Point3& colour) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    bytes.SetValue(3 * row + static_cast<vtkIdType>(k), static_cast<unsigned char>(std::lround(255 * colour[k])));
+  }
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> colour_rows(vtkIdType count) {
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetName("colours");
+  bytes->SetNumberOfComponents(3);
+  bytes->SetNumberOfTuples(count);
+  return bytes;
+}
+
+}  // namespace
+
+SurfaceActor::SurfaceActor(const TriangleMesh& mesh) : drawn_(triangle_polydata(mesh.points, mesh.triangles)) {
+  vtkProperty* property = actor_->GetProperty();
+  if (mesh.triangle_count() <= kMostSmoothTriangles) {
+    drawn_ = with_normals(*drawn_);
+    property->SetInterpolationToGouraud();
+  } else {
+    property->SetInterpolationToFlat();
+  }
+  mapper_->SetInputData(drawn_);
+  mapper_->ScalarVisibilityOff();
+  actor_->SetMapper(mapper_);
+  actor_->PickableOff();
+  property->SetAmbient(0.12);
+  property->SetDiffuse(0.88);
+  property->SetSpecular(0.08);
+  property->SetSpecularPower(20);
+  set_colour(colours::model);
+}
+
+void SurfaceActor::set_transform(const Matrix4& to_scene) {
+  const vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(to_scene.data());
+  actor_->SetUserMatrix(matrix);
+}
+
+void SurfaceActor::set_colour(const Point3& colour) {
+  actor_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+void SurfaceActor::set_wireframe(bool wireframe) {
+  wireframe ? actor_->GetProperty()->SetRepresentationToWireframe()
+            : actor_->GetProperty()->SetRepresentationToSurface();
+  actor_->GetProperty()->SetLighting(!wireframe);
+}
+
+void SurfaceActor::set_triangle_colours(const std::vector<Point3>& colours) {
+  const auto bytes = colour_rows(drawn_->GetNumberOfCells());
+  for (vtkIdType i = 0; i < drawn_->GetNumberOfCells(); ++i) {
+    set_colour_of(*bytes, i, colours[static_cast<std::size_t>(i)]);
+  }
+  drawn_->GetCellData()->SetScalars(bytes);
+  mapper_->SetScalarModeToUseCellData();
+}
+
+void SurfaceActor::set_vertex_colours(const std::vector<Point3>& colours) {
+  const auto bytes = colour_rows(drawn_->GetNumberOfPoints());
+  auto* vertices = vtkIdTypeArray::SafeDownCast(drawn_->GetPointData()->GetArray(kVertexOfMesh));
+  for (vtkIdType i = 0; i < drawn_->GetNumberOfPoints(); ++i) {
+    set_colour_of(*bytes, i, colours[static_cast<std::size_t>(vertices == nullptr ? i : vertices->GetValue(i))]);
+  }
+  drawn_->GetPointData()->SetScalars(bytes);
+  mapper_->SetScalarModeToUsePointData();
+}
+
+void SurfaceActor::show_own_colours(bool shown) { mapper_->SetScalarVisibility(shown); }
+
+}  // namespace cagewright::host
