@@ -21,6 +21,8 @@ namespace {
 // On top of the model: both looks alike, before and behind it.
 constexpr LineStyle kStroke{colours::stroke, 3, 1, 1};
 
+constexpr std::size_t kMostMarks = 5000;  // of vertices outside; so many are seen by their colour
+
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh, const Eigen::Matrix4d& to_scene) {
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
@@ -120,7 +122,7 @@ void SceneView::State::colour_outside() {
   for (const std::uint32_t vertex : outside) {
     if (vertex >= mesh.vertex_count()) continue;
     colours[vertex] = colours::outside;
-    marks.push_back(to_point(Eigen::Vector3d(&mesh.points[3 * std::size_t{vertex}])));
+    if (marks.size() < kMostMarks) marks.push_back(to_point(Eigen::Vector3d(&mesh.points[3 * std::size_t{vertex}])));
   }
   active()->surface->set_vertex_colours(colours);
   outside_marks.set(marks);

@@ -100,18 +100,24 @@ void SlideLabels::place(const Eigen::Matrix4d& to_scene) {
   const double gap = kGap * pixel_ratio(renderer_);
   std::vector<Box> taken;
   for (const Label& label : labels_) {
-    Projection::Seen rightmost;
+    Projection::Seen rightmost, leftmost;
     for (const Point3& point : label.outline) {
       const auto seen = projection.see(transformed(to_scene, to_vector(point)));
       if (seen.is_visible && (!rightmost.is_visible || seen.x > rightmost.x)) rightmost = seen;
+      if (seen.is_visible && (!leftmost.is_visible || seen.x < leftmost.x)) leftmost = seen;
     }
     label.actor->SetVisibility(rightmost.is_visible);
     if (!rightmost.is_visible) continue;
     std::array<double, 2> size{};
     label.actor->GetSize(&renderer_, size.data());
     Box box{rightmost.x + gap, rightmost.y - size[1] / 2, size[0], size[1]};
+    const double left = leftmost.x - gap - box.width;
+    if (box.x + box.width > projection.origin[0] + projection.size[0] && left >= projection.origin[0]) {
+      box.x = left;
+      box.y = leftmost.y - box.height / 2;
+    }
     keep_within(box, projection);
-    for (const Box& other : taken) {  // these lie in the order in which they were moved down
+    for (const Box& other : taken) {  // in the order in which they were moved down
       if (box.meets(other)) box.y = other.y - box.height - gap / 2;
     }
     taken.push_back(box);

@@ -13,8 +13,8 @@
 
 namespace cagewright::host {
 
-// Text beside slides that failed or are selected, to the right of their ellipses, within the window, not over one
-// another.
+// Text beside slides that failed or are selected, to the right of their ellipses or, where there is no room, to the
+// left; within the window, not over one another.
 class SlideLabels {
  public:
   explicit SlideLabels(vtkRenderer& renderer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/view/window/surface_actor.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkMatrix4x4.h>
@@ -9,8 +10,10 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "host/view/polydata.h"
 #include "host/view/window/colours.h"
@@ -34,6 +37,29 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData& mesh) {
   normals->ConsistencyOff();
   normals->Update();
   return normals->GetOutput();
+}
+
+// Whether every directed edge occurs as often as its reverse, and the triangles face away from what they enclose. The
+// edges are compared by sums of hashes: one pass, no sorting.
+bool is_closed_outward(const TriangleMesh& mesh) {
+  const auto hash = [](std::uint64_t from, std::uint64_t to) {
+    std::uint64_t mixed = (from << 32 | to) + 0x9E3779B97F4A7C15;  // splitmix64
+    mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9;
+    mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EB;
+    return mixed ^ mixed >> 31;
+  };
+  std::uint64_t balance = 0;
+  double volume = 0;
+  const auto corner = [&](std::size_t i) { return Eigen::Vector3d(&mesh.points[3 * std::size_t{mesh.triangles[i]}]); };
+  const Eigen::Vector3d origin = mesh.triangles.empty() ? Eigen::Vector3d::Zero() : corner(0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = mesh.triangles[i + k], to = mesh.triangles[i + (k + 1) % 3];
+      balance += hash(from, to) - hash(to, from);
+    }
+    volume += (corner(i) - origin).dot((corner(i + 1) - origin).cross(corner(i + 2) - origin));
+  }
+  return balance == 0 && volume > 0;
 }
 
 void set_colour_of(vtkUnsignedCharArray& bytes, vtkIdType row, const Point3& colour) {
@@ -66,15 +92,24 @@ SurfaceActor::SurfaceActor(const TriangleMesh& mesh) : drawn_(triangle_polydata(
   actor_->PickableOff();
   property->SetAmbient(0.12);
   property->SetDiffuse(0.88);
-  property->SetSpecular(0.08);
-  property->SetSpecularPower(20);
   set_colour(colours::model);
+  // What is never seen need not be drawn: a third of the time.
+  property->SetBackfaceCulling(is_closed_outward(mesh));
 }
 
 void SurfaceActor::set_transform(const Matrix4& to_scene) {
   const vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(to_scene.data());
   actor_->SetUserMatrix(matrix);
+  // VTK lights what turns clockwise on the screen from behind: mirrored, all does.
+  const bool is_mirrored = matrix->Determinant() < 0;
+  if (is_mirrored != is_reversed_) {
+    vtkCellArray* triangles = drawn_->GetPolys();
+    for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i) triangles->ReverseCellAtId(i);
+    triangles->Modified();
+    drawn_->Modified();
+    is_reversed_ = is_mirrored;
+  }
 }
 
 void SurfaceActor::set_colour(const Point3& colour) {
@@ -84,7 +119,6 @@ void SurfaceActor::set_colour(const Point3& colour) {
 void SurfaceActor::set_wireframe(bool wireframe) {
   wireframe ? actor_->GetProperty()->SetRepresentationToWireframe()
             : actor_->GetProperty()->SetRepresentationToSurface();
-  actor_->GetProperty()->SetLighting(!wireframe);
 }
 
 void SurfaceActor::set_triangle_colours(const std::vector<Point3>& colours) {

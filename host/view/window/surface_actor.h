@@ -37,6 +37,7 @@ class SurfaceActor {
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> drawn_;
+  bool is_reversed_ = false;  // the triangles of drawn_ are clockwise
 };
 
 }  // namespace cagewright::host
