@@ -54,7 +54,7 @@ class Camera : public Window {
     EXPECT_LT(top, image.height - 1);
     EXPECT_GT(
         std::max((right - left) / static_cast<double>(image.width), (top - bottom) / static_cast<double>(image.height)),
-        0.85);
+        0.75);
   }
 };
 
