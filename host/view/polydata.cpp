@@ -60,6 +60,17 @@ vtkSmartPointer<vtkPolyData> line_polydata(const std::vector<std::vector<Point>>
   return lines;
 }
 
+std::vector<std::array<std::uint32_t, 2>> unique_edges(std::span<const std::uint32_t> triangles) {
+  std::vector<std::array<std::uint32_t, 2>> edges(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto [low, high] = std::minmax(triangles[i], triangles[i % 3 == 2 ? i - 2 : i + 1]);
+    edges[i] = {low, high};
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 std::vector<Point> ellipse_points(const Point& center, const Point& u, const Point& v, int segments) {
   std::vector<Point> points(static_cast<std::size_t>(segments));
   for (int i = 0; i < segments; ++i) {

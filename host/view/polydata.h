@@ -21,6 +21,9 @@ vtkSmartPointer<vtkPolyData> triangle_polydata(std::span<const double> points,
 // One cell for each run of points; closed: with a segment from the last to the first.
 vtkSmartPointer<vtkPolyData> line_polydata(const std::vector<std::vector<Point>>& runs, bool closed);
 
+// Every edge of the triangles once, the lower index first, in ascending order. O(m log m).
+std::vector<std::array<std::uint32_t, 2>> unique_edges(std::span<const std::uint32_t> triangles);
+
 // `segments` points of center + cos(t) u + sin(t) v, t from 0 in equal steps.
 std::vector<Point> ellipse_points(const Point& center, const Point& u, const Point& v, int segments);
 

@@ -5,7 +5,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -22,18 +21,11 @@ constexpr LineStyle kSections{colours::section, 2.2, 1, 0.35};
 constexpr LineStyle kStaleSections{colours::stale_section, 2, 0.7, 0.2};
 
 std::vector<std::vector<Point>> edges_of(const TriangleMesh& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::uint32_t a = mesh.triangles[i], b = mesh.triangles[i % 3 == 2 ? i - 2 : i + 1];
-    edges.push_back(std::minmax(a, b));
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   const auto point = [&](std::uint32_t vertex) {
     return Point{mesh.points[3 * vertex], mesh.points[3 * vertex + 1], mesh.points[3 * vertex + 2]};
   };
   std::vector<std::vector<Point>> runs;
-  for (const auto& [a, b] : edges) runs.push_back({point(a), point(b)});
+  for (const auto& [a, b] : unique_edges(mesh.triangles)) runs.push_back({point(a), point(b)});
   return runs;
 }
 

@@ -5,6 +5,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
+#include <vtkRenderStepsPass.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -72,6 +73,7 @@ struct SceneView::State {
   SlideLabels slide_labels;
   LineActor stroke;
   vtkNew<vtkLight> light;
+  vtkNew<vtkRenderStepsPass> pass;
   vtkNew<vtkCallbackCommand> frame_listener;
 };
 

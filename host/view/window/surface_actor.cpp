@@ -11,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +22,8 @@
 namespace cagewright::host {
 namespace {
 
-constexpr double kCreaseAngle = 50;  // degrees; sharper edges are shaded as edges
+constexpr double kCreaseAngle = 50;                   // degrees; sharper edges are shaded as edges
+constexpr double kAmbient = 0.2, kWireAmbient = 0.6;  // wires behind the model face away, and are to be seen
 constexpr char kVertexOfMesh[] = "vertex of the mesh";
 
 vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData& mesh) {
@@ -37,6 +39,27 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData& mesh) {
   normals->ConsistencyOff();
   normals->Update();
   return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> edges_of(vtkPolyData& surface) {
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * static_cast<std::size_t>(surface.GetNumberOfPolys()));
+  vtkIdType count = 0;
+  const vtkIdType* row = nullptr;
+  for (vtkIdType i = 0; i < surface.GetNumberOfPolys(); ++i) {
+    surface.GetPolys()->GetCellAtId(i, count, row);
+    corners.insert(corners.end(), row, row + count);
+  }
+  const vtkNew<vtkCellArray> cells;
+  for (const auto& [a, b] : unique_edges(corners)) {
+    const std::array<vtkIdType, 2> ends{a, b};
+    cells->InsertNextCell(2, ends.data());
+  }
+  auto edges = vtkSmartPointer<vtkPolyData>::New();
+  edges->SetPoints(surface.GetPoints());
+  edges->GetPointData()->ShallowCopy(surface.GetPointData());
+  edges->SetLines(cells);
+  return edges;
 }
 
 // Whether every directed edge occurs as often as its reverse, and the triangles face away from what they enclose. The
@@ -86,13 +109,11 @@ SurfaceActor::SurfaceActor(const TriangleMesh& mesh) : drawn_(triangle_polydata(
   } else {
     property->SetInterpolationToFlat();
   }
-  mapper_->SetInputData(drawn_);
   mapper_->ScalarVisibilityOff();
   actor_->SetMapper(mapper_);
   actor_->PickableOff();
-  property->SetAmbient(0.12);
-  property->SetDiffuse(0.88);
   set_colour(colours::model);
+  set_wireframe(false);
   // What is never seen need not be drawn: a third of the time.
   property->SetBackfaceCulling(is_closed_outward(mesh));
 }
@@ -117,8 +138,15 @@ void SurfaceActor::set_colour(const Point3& colour) {
 }
 
 void SurfaceActor::set_wireframe(bool wireframe) {
-  wireframe ? actor_->GetProperty()->SetRepresentationToWireframe()
-            : actor_->GetProperty()->SetRepresentationToSurface();
+  vtkProperty* property = actor_->GetProperty();
+  const double ambient = wireframe ? kWireAmbient : kAmbient;
+  property->SetAmbient(ambient);
+  property->SetDiffuse(1 - ambient);
+  // VTK draws an edge once for each of its triangles; edges of our own have no triangle to take a colour from.
+  const bool has_own_edges = wireframe && !has_triangle_colours_;
+  wireframe && !has_own_edges ? property->SetRepresentationToWireframe() : property->SetRepresentationToSurface();
+  if (has_own_edges && wires_ == nullptr) wires_ = edges_of(*drawn_);
+  mapper_->SetInputData(has_own_edges ? wires_ : drawn_);
 }
 
 void SurfaceActor::set_triangle_colours(const std::vector<Point3>& colours) {
@@ -127,6 +155,7 @@ void SurfaceActor::set_triangle_colours(const std::vector<Point3>& colours) {
     set_colour_of(*bytes, i, colours[static_cast<std::size_t>(i)]);
   }
   drawn_->GetCellData()->SetScalars(bytes);
+  has_triangle_colours_ = true;
   mapper_->SetScalarModeToUseCellData();
 }
 
@@ -137,6 +166,7 @@ void SurfaceActor::set_vertex_colours(const std::vector<Point3>& colours) {
     set_colour_of(*bytes, i, colours[static_cast<std::size_t>(vertices == nullptr ? i : vertices->GetValue(i))]);
   }
   drawn_->GetPointData()->SetScalars(bytes);
+  if (wires_ != nullptr) wires_->GetPointData()->SetScalars(bytes);
   mapper_->SetScalarModeToUsePointData();
 }
 

@@ -37,6 +37,8 @@ class SurfaceActor {
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> drawn_;
+  vtkSmartPointer<vtkPolyData> wires_;  // the edges of drawn_, with its points and their data; null until it is shown
+  bool has_triangle_colours_ = false;
   bool is_reversed_ = false;  // the triangles of drawn_ are clockwise
 };
 
