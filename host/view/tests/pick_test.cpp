@@ -125,6 +125,9 @@ TEST_F(Pick, SlidesArePickedWithinSixPixelsOfTheirOutline) {
   EXPECT_NEAR(std::hypot(hit.point[0], hit.point[2]), 1.3, 0.01);
   EXPECT_NE(view->pick(x, y - 9, true).what, What::slide);
   EXPECT_EQ(pick_at({0, 0.5, 1.3}, true).slide, 8);
+  view->set_slides({level_slide(-1, 1.3)});
+  EXPECT_EQ(view->pick(x, y, true).what, What::model) << "one that is only shown has no id to be found by";
+  view->set_slides({level_slide(3, 1.3)});
   ViewOptions options = view->options();
   options.slides = false;
   view->set_options(options);

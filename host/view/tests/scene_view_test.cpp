@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "host/view/tests/window_fixture.h"
@@ -294,6 +295,26 @@ TEST_F(SceneLook, StrokesAreDrawnOnTheModel) {
   EXPECT_GT(draw("stroke").count(is_yellow), 100);
   view->set_stroke({});
   EXPECT_EQ(draw("none").count(is_yellow), 0);
+}
+
+TEST_F(SceneLook, SlidesThatAreNotFiniteAreLeftOut) {
+  ShownSlide broken = level_slide(2, 1.2);
+  broken.ellipse.u[1] = std::numeric_limits<double>::quiet_NaN();
+  show_slide(level_slide(1, 1.2));
+  const auto bounds = view->bounds();
+  const long before = draw("one").count(is_red);
+  view->set_slides({broken, level_slide(1, 1.2)});
+  EXPECT_EQ(view->bounds(), bounds);
+  EXPECT_EQ(draw("both").count(is_red), before);
+}
+
+TEST_F(SceneLook, LinesAndLabelsGrowWithTheWindowsDpi) {
+  ShownSlide slide = level_slide(1, 1.2);
+  slide.is_selected = true;
+  show_slide(slide);
+  const auto narrow = static_cast<double>(draw("72").count(is_yellow));
+  window->SetDPI(144);
+  EXPECT_GT(static_cast<double>(draw("144").count(is_yellow)), 1.7 * narrow);
 }
 
 TEST_F(SceneLook, BoundsAreOfTheSceneAndOfSlidesAsked) {

@@ -136,6 +136,7 @@ Hit SceneView::pick(double x, double y, bool slides_first) const {
     const double hidden =
         model ? hidden_depth(projection, line, model->along) : std::numeric_limits<double>::infinity();
     for (const ShownSlide& shown : state_->slides) {
+      if (shown.id < 0) continue;
       const auto hit = hit_of(shown, projection, state_->active_to_scene(), {x, y}, reach);
       if (hit && (slides_first || hit->depth <= hidden) && (!slide || hit->pixels < slide->pixels)) slide = hit;
     }

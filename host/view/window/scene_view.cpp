@@ -31,6 +31,10 @@ Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh, const Eigen::Matrix4d& t
   return box;
 }
 
+bool is_finite(const Slide::Ellipse& ellipse) {
+  return to_vector(ellipse.center).allFinite() && to_vector(ellipse.u).allFinite() && to_vector(ellipse.v).allFinite();
+}
+
 void place(MeshEntry& entry) {
   const Eigen::Matrix4d to_scene = to_matrix(entry.shown.to_scene);
   entry.to_scene = to_scene;
@@ -233,6 +237,7 @@ void SceneView::set_outside(const std::vector<std::uint32_t>& vertices) {
 }
 
 void SceneView::set_slides(std::vector<ShownSlide> slides) {
+  std::erase_if(slides, [](const ShownSlide& slide) { return !is_finite(slide.ellipse); });
   state_->slides = std::move(slides);
   state_->slide_actors.set(state_->slides);
   state_->slide_labels.set(state_->slides);

@@ -146,7 +146,8 @@ void SurfaceActor::set_wireframe(bool wireframe) {
   const bool has_own_edges = wireframe && !has_triangle_colours_;
   wireframe && !has_own_edges ? property->SetRepresentationToWireframe() : property->SetRepresentationToSurface();
   if (has_own_edges && wires_ == nullptr) wires_ = edges_of(*drawn_);
-  mapper_->SetInputData(has_own_edges ? wires_ : drawn_);
+  vtkPolyData* input = has_own_edges ? wires_ : drawn_;
+  if (mapper_->GetInput() != input) mapper_->SetInputData(input);  // also the same would be uploaded again
 }
 
 void SurfaceActor::set_triangle_colours(const std::vector<Point3>& colours) {
