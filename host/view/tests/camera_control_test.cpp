@@ -115,6 +115,16 @@ TEST_F(Camera, TumbleFollowsTheMouse) {
   EXPECT_LT(eye()[1], 0);
 }
 
+TEST_F(Camera, TumbleFollowsTheMouseUpsideDownToo) {
+  camera->look_along(Axis::front);
+  frame_all();
+  while (up()[1] > -0.95) camera->tumble(0, -5);
+  const Point3 nearest = {-forward()[0], -forward()[1], -forward()[2]};
+  const auto before = view->to_display(nearest);
+  camera->tumble(30, 0);
+  EXPECT_GT(view->to_display(nearest)[0], before[0] + 5);
+}
+
 TEST_F(Camera, TumblePassesThePolesSmoothly) {
   camera->look_along(Axis::front);
   frame_all();

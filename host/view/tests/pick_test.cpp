@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
 
 #include <cmath>
 #include <random>
@@ -160,6 +161,17 @@ TEST_F(Pick, TheCageIsPickedWhereNothingElseIs) {
   EXPECT_EQ(view->pick(2, 2, true).what, What::nothing);
   view->set_cage(nullptr);
   EXPECT_EQ(pick_at({1.25, 1.2, 1.3}, true).what, What::nothing);
+}
+
+TEST_F(Pick, OrthographicViewsPickWhatIsBehindTheEyeToo) {
+  view->set_meshes({shown(box_mesh(1))});
+  frame_all();
+  camera->look_along(CameraControl::Axis::front);
+  camera->set_orthographic(true);
+  while (renderer->GetActiveCamera()->GetPosition()[2] > 0.5) camera->dolly(30);
+  const auto hit = view->pick_model(320, 240);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_NEAR(hit->point[2], 1, 1e-9) << "the front face, which is what is drawn";
 }
 
 TEST_F(Pick, AnEmptySceneAndFlatTransformsAreMissed) {

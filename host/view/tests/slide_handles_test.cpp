@@ -258,16 +258,25 @@ TEST_F(Handles, NothingExplodesWhereAxesPointAtTheViewerAndPlanesAreEdgeOn) {
     for (const bool orthographic : {false, true}) {
       camera->set_orthographic(orthographic);
       camera->look_along(axis);
+      camera->tumble(6, 4);  // two degrees beside it: where a pixel is worth most
       for (const Mode mode : {Mode::move, Mode::turn, Mode::scale}) {
         handles->set_mode(mode);
         handles->set_slides({{5, {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}}});
         const auto places = handles->places();
+        const bool is_from_right = axis == CameraControl::Axis::right;
+        const auto [px, py] = way({0, 0, 0}, is_from_right ? Point3{0, 0, 0.1} : Point3{0.1, 0, 0});
+        const double pixel = 0.1 / std::hypot(px, py);
         for (const Point3& place : places) {
           handles->set_slides({{5, {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}}});
           const auto at = view->to_display(place);
           if (!handles->begin(at[0], at[1])) continue;  // an arrow straight at the viewer is under the ball
-          for (int i = 0; i < 40; ++i) expect_sound(handles->drag(x(random), y(random), false));
-          // A pixel more is never worth more than ten of them on the screen.
+          for (int i = 0; i < 40; ++i) {
+            const double to_x = x(random), to_y = y(random);
+            const auto dragged = handles->drag(to_x, to_y, false);
+            expect_sound(dragged);
+            // No pixel is worth more than ten of them are on the screen.
+            EXPECT_LE(length(dragged[0].second.center), 10.2 * pixel * std::hypot(to_x - at[0], to_y - at[1]));
+          }
           const auto here = handles->drag(at[0], at[1], false)[0].second;
           EXPECT_NEAR(length(here.center), 0, 1e-6);
           handles->end();

@@ -94,18 +94,15 @@ std::optional<double> HandleDrag::angle_at(double x, double y) const {
 
 double HandleDrag::way_along_axis(double x, double y) {
   const auto now = on_axis(x, y);
-  if (now && begin_on_axis_) way_ = within(*now - *begin_on_axis_, farthest(x, y));
-  return way_;
+  if (now && begin_on_axis_) way_ = *now - *begin_on_axis_;
+  return within(way_, farthest(x, y));
 }
 
 Vector3d HandleDrag::way_in_plane(double x, double y) {
   const auto now = on_plane(x, y);
-  if (now && begin_on_plane_) {
-    const Vector3d way = *now - *begin_on_plane_;
-    const double length = way.norm(), limit = farthest(x, y);
-    way_in_plane_ = length > limit ? Vector3d(way * (limit / length)) : way;
-  }
-  return way_in_plane_;
+  if (now && begin_on_plane_) way_in_plane_ = *now - *begin_on_plane_;
+  const double length = way_in_plane_.norm(), limit = farthest(x, y);
+  return length > limit ? Vector3d(way_in_plane_ * (limit / length)) : way_in_plane_;
 }
 
 double HandleDrag::angle_turned(double x, double y) {
