@@ -195,6 +195,24 @@ TEST_F(SceneLook, PartsHaveColoursOfTheirOwn) {
   }
   EXPECT_GE(hues.size(), 5u);
   EXPECT_LT(image.count(is_model_grey), 200);
+  // Two halves: each triangle has its own part's colour.
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto height = [&](std::size_t k) { return mesh->points[3 * std::size_t{mesh->triangles[3 * i + k]} + 1]; };
+    parts[i] = height(0) + height(1) + height(2) > 0 ? 1 : 0;
+  }
+  view->set_parts(*mesh, parts);
+  const Image halves = draw("halves");
+  const auto share = [&](double y, double x) {  // of red in the colour, at a point of the front
+    const auto [r, g, b] = pixel_at(halves, {x, y, std::sqrt(1 - x * x - y * y)});
+    return r / static_cast<double>(r + g + b);
+  };
+  for (const double y : {0.3, 0.6}) {
+    for (const double x : {-0.5, 0.0, 0.5}) {
+      EXPECT_NEAR(share(y, x), share(0.4, 0.1), 0.02);
+      EXPECT_NEAR(share(-y, x), share(-0.4, 0.1), 0.02);
+    }
+  }
+  EXPECT_GT(std::abs(share(0.4, 0.1) - share(-0.4, 0.1)), 0.1);
   view->set_meshes({shown(box_mesh(1))});
   EXPECT_GT(draw("other model").count(is_model_grey), 20000) << "another model has no parts yet";
 }

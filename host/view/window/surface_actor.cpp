@@ -11,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,7 @@
 
 #include "host/view/polydata.h"
 #include "host/view/window/colours.h"
+#include "host/view/window/drawing_order.h"
 
 namespace cagewright::host {
 namespace {
@@ -26,14 +28,18 @@ constexpr double kCreaseAngle = 50;                   // degrees; sharper edges 
 constexpr double kAmbient = 0.2, kWireAmbient = 0.6;  // wires behind the model face away, and are to be seen
 constexpr char kVertexOfMesh[] = "vertex of the mesh";
 
-vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData& mesh) {
-  // Creases double vertices: each remembers whose it is.
+vtkSmartPointer<vtkPolyData> polydata_of(const DrawingOrder& order) {
+  const auto polydata = triangle_polydata(order.mesh.points, order.mesh.triangles);
   const vtkNew<vtkIdTypeArray> vertices;
   vertices->SetName(kVertexOfMesh);
-  vertices->SetNumberOfValues(mesh.GetNumberOfPoints());
-  for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i) vertices->SetValue(i, i);
-  mesh.GetPointData()->AddArray(vertices);
-  const vtkNew<vtkPolyDataNormals> normals;
+  vertices->SetNumberOfValues(polydata->GetNumberOfPoints());
+  std::copy(order.vertices.begin(), order.vertices.end(), vertices->GetPointer(0));
+  polydata->GetPointData()->AddArray(vertices);
+  return polydata;
+}
+
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData& mesh) {
+  const vtkNew<vtkPolyDataNormals> normals;  // creases double vertices, with their data
   normals->SetInputData(&mesh);
   normals->SetFeatureAngle(kCreaseAngle);
   normals->ConsistencyOff();
@@ -101,7 +107,10 @@ vtkSmartPointer<vtkUnsignedCharArray> colour_rows(vtkIdType count) {
 
 }  // namespace
 
-SurfaceActor::SurfaceActor(const TriangleMesh& mesh) : drawn_(triangle_polydata(mesh.points, mesh.triangles)) {
+SurfaceActor::SurfaceActor(const TriangleMesh& mesh) {
+  const DrawingOrder order = drawing_order(mesh);
+  drawn_ = polydata_of(order);
+  triangles_ = order.triangles;
   vtkProperty* property = actor_->GetProperty();
   if (mesh.triangle_count() <= kMostSmoothTriangles) {
     drawn_ = with_normals(*drawn_);
@@ -153,7 +162,7 @@ void SurfaceActor::set_wireframe(bool wireframe) {
 void SurfaceActor::set_triangle_colours(const std::vector<Point3>& colours) {
   const auto bytes = colour_rows(drawn_->GetNumberOfCells());
   for (vtkIdType i = 0; i < drawn_->GetNumberOfCells(); ++i) {
-    set_colour_of(*bytes, i, colours[static_cast<std::size_t>(i)]);
+    set_colour_of(*bytes, i, colours[triangles_[static_cast<std::size_t>(i)]]);
   }
   drawn_->GetCellData()->SetScalars(bytes);
   has_triangle_colours_ = true;
@@ -164,7 +173,7 @@ void SurfaceActor::set_vertex_colours(const std::vector<Point3>& colours) {
   const auto bytes = colour_rows(drawn_->GetNumberOfPoints());
   auto* vertices = vtkIdTypeArray::SafeDownCast(drawn_->GetPointData()->GetArray(kVertexOfMesh));
   for (vtkIdType i = 0; i < drawn_->GetNumberOfPoints(); ++i) {
-    set_colour_of(*bytes, i, colours[static_cast<std::size_t>(vertices == nullptr ? i : vertices->GetValue(i))]);
+    set_colour_of(*bytes, i, colours[static_cast<std::size_t>(vertices->GetValue(i))]);
   }
   drawn_->GetPointData()->SetScalars(bytes);
   if (wires_ != nullptr) wires_->GetPointData()->SetScalars(bytes);

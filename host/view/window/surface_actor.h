@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "host/view/window/scene_view.h"
@@ -37,7 +38,8 @@ class SurfaceActor {
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> drawn_;
-  vtkSmartPointer<vtkPolyData> wires_;  // the edges of drawn_, with its points and their data; null until it is shown
+  std::vector<std::uint32_t> triangles_;  // of the mesh, for each cell of drawn_
+  vtkSmartPointer<vtkPolyData> wires_;    // the edges of drawn_, with its points and their data; null until it is shown
   bool has_triangle_colours_ = false;
   bool is_reversed_ = false;  // the triangles of drawn_ are clockwise
 };
