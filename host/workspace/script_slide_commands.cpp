@@ -38,8 +38,9 @@ ScriptJson add_slide(ScriptContext& context, const ScriptArguments& arguments) {
     id = is_complete ? workspace.add_slide_across(stroke, arguments.point("line_of_sight"), name)
                      : workspace.add_slide({name, Slide::Stroke{stroke}});
   } else if (way == "point") {
-    if (!arguments.has("normal")) arguments.fail("\"point\" needs \"normal\"");
-    id = workspace.add_slide({name, Slide::PointNormal{arguments.point("point"), arguments.point("normal")}});
+    const Point3 point = arguments.point("point");
+    id = arguments.has("normal") ? workspace.add_slide({name, Slide::PointNormal{point, arguments.point("normal")}})
+                                 : workspace.add_slide({name, Slide::Point{point}});
   } else {
     if (!arguments.has("u") || !arguments.has("v")) arguments.fail("\"center\" needs \"u\" and \"v\"");
     id = workspace.add_slide(
@@ -93,9 +94,9 @@ std::vector<ScriptCommand> script_slide_commands() {
         {"center", Kind::point},
         {"u", Kind::point},
         {"v", Kind::point}},
-       "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of "
-       "the "
-       "points alone), of a point and a normal, or of an ellipse; says its name",
+       "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of the "
+       "points alone), of a point (the plane across the limb there, or with that normal), or of an ellipse; says its "
+       "name",
        add_slide},
       {"extend_stroke",
        {{"slide", Kind::text, true}, {"points", Kind::points, true}},

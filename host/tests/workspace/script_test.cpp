@@ -74,6 +74,14 @@ TEST_F(ScriptTest, StrokesMakeSlidesWithAndWithoutALineOfSight) {
   EXPECT_EQ(workspace_.find_slide("b")->stroke.size(), 10U);
 }
 
+TEST_F(ScriptTest, APointAloneMakesASlideAcrossTheLimb) {
+  open_model();
+  run(R"({"command": "add_slide", "name": "click", "point": [0, 0.4, 0.392]})");
+  EXPECT_NEAR(ellipse("click").center[0], 0, 0.02);
+  EXPECT_NEAR(ellipse("click").center[1], 0.4, 0.1);
+  EXPECT_NEAR(ellipse("click").center[2], 0, 0.02);
+}
+
 TEST_F(ScriptTest, SlidesGoThroughTheClipboardAFileOrTheCommandItself) {
   open_with_slides({-0.5, 0.5});
   const Json copied = run("copy_slides", {{"slides", {"slide 1", "slide 2"}}, {"path", path("two.json")}});

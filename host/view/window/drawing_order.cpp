@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr unsigned kBits = 10;  // of each coordinate
+constexpr unsigned kBits = 10;        // of each coordinate
+constexpr double kSmallest = 1e-300;  // its inverse, times all cells, is finite
 
 // Two zeros after each bit.
 std::uint32_t spread(std::uint32_t bits) {
@@ -27,7 +28,7 @@ std::vector<std::uint32_t> triangles_along_curve(const TriangleMesh& mesh) {
   // Halves: the whole of finite numbers need not be finite.
   const Vector3d low = box.isEmpty() ? Vector3d::Zero() : Vector3d(box.min() / 2);
   const Vector3d sides = box.isEmpty() ? Vector3d::Zero() : Vector3d(box.max() / 2 - low);
-  const double cells = ((1 << kBits) - 1) / std::max(sides.maxCoeff(), std::numeric_limits<double>::min());
+  const double cells = ((1 << kBits) - 1) / std::max(sides.maxCoeff(), kSmallest);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> places;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const Vector3d corner(&mesh.points[3 * std::size_t{mesh.triangles[3 * i]}]);
