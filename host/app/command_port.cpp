@@ -68,6 +68,10 @@ json CommandPort::run(const json& command) {
   const std::string name = command.value("command", "");
   if (name == "where") return where(command);
   if (name == "state") return state();
+  if (name == "record") {
+    window_.record(command.value("path", ""));
+    return json::object();
+  }
   const json result = window_.editor().run_or_throw(command);
   return result.is_object() ? result : json{{"result", result}};
 }
@@ -88,7 +92,10 @@ json CommandPort::where(const json& command) const {
 
 json CommandPort::state() const {
   const Workspace& workspace = window_.editor().workspace();
-  json all = {{"title", window_.windowTitle().toStdString()},
+  QString title = window_.windowTitle();
+  title.replace("[*]", window_.isWindowModified() ? "*" : "");
+  json all = {{"title", title.toStdString()},
+              {"focus", QApplication::focusWidget() ? QApplication::focusWidget()->objectName().toStdString() : ""},
               {"status", window_.statusBar()->currentMessage().toStdString()},
               {"solving", workspace.progress().is_solving},
               {"has_scene", workspace.has_scene()}};

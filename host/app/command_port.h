@@ -16,6 +16,7 @@ namespace cagewright::host {
 //   {"command": "where", "point": [x, y, z]}    a point of the mesh, as a position on the screen
 //   {"command": "where", "widget": "outliner"}  a widget, by its object name or its text: its rectangle on the screen
 //   {"command": "where", "handle": 0}           a handle of the selected slides
+//   {"command": "record", "path": "session.jsonl"}   records what is done; without a path: no longer
 //   {"command": "state"}                        what is open, selected, wrong and being done
 // The end of standard input closes nothing.
 class CommandPort : public QObject {

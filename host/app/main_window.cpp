@@ -29,6 +29,7 @@
 namespace cagewright::host {
 namespace {
 
+constexpr int dock_width = 290;
 constexpr int failure_ms = 12000;  // how long the status line shows one
 
 QWidget* scrolled(QWidget* content) {
@@ -56,6 +57,9 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin) {
   editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
   recorder_ = std::make_unique<ScriptRecorder>(*editor_);
   autosave_ = new Autosave(*editor_, this);
+  bool is_given = false;
+  if (const int delay = qEnvironmentVariableIntValue("CAGEWRIGHT_AUTOSAVE_MS", &is_given); is_given)
+    autosave_->set_delay(delay);
   autosave_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
   view_ = new ViewWidget(*editor_, this);
   setCentralWidget(view_);
@@ -100,7 +104,8 @@ void MainWindow::make_docks() {
   tabs_->addTab(scrolled(new ParameterPanel(*editor_, this)), "Cage");
   dock("attributes_dock", "Attributes", tabs_, Qt::RightDockWidgetArea);
   dock("report_dock", "Report", scrolled(new ReportPanel(*editor_, this)), Qt::RightDockWidgetArea);
-  for (QDockWidget* widget : findChildren<QDockWidget*>()) widget->setMinimumWidth(250);
+  for (QDockWidget* widget : findChildren<QDockWidget*>()) widget->setMinimumWidth(dock_width);
+  resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
 }
 
 void MainWindow::make_status_line() {

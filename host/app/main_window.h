@@ -40,6 +40,8 @@ class MainWindow : public QMainWindow {
   // Asks about unsaved changes, and whether an autosave is to be recovered.
   void open(const std::filesystem::path& path);
   void set_dark(bool dark);
+  // Into that file; empty: stops.
+  void record(const std::filesystem::path& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
 
   bool may_lose_changes();
   void choose_file();
+  bool wait_for_cage();
   bool save();
   bool save_as();
   void export_cage();

@@ -53,7 +53,7 @@ void SelectTool::release(const MousePoint& at) {
     if (!slide) continue;
     any = any || slide->ellipse.center != ellipse.center || slide->ellipse.u != ellipse.u ||
           slide->ellipse.v != ellipse.v;
-    slides.push_back({{"slide", slide->name}, {"center", ellipse.center}, {"u", ellipse.u}, {"v", ellipse.v}});
+    slides.push_back({{"name", slide->name}, {"center", ellipse.center}, {"u", ellipse.u}, {"v", ellipse.v}});
   }
   if (any) editor_.run({{"command", "change_slides"}, {"slides", slides}, {"label", label}});
   editor_.workspace().clear_preview();

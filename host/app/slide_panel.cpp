@@ -107,8 +107,7 @@ void SlidePanel::take_numbers() {
   placement.radius_u = radii_[0]->value();
   placement.radius_v = radii_[1]->value();
   const Slide::Ellipse ellipse = ellipse_of(placement);
-  const nlohmann::json change = {
-      {"slide", shown->name}, {"center", ellipse.center}, {"u", ellipse.u}, {"v", ellipse.v}};
+  const nlohmann::json change = {{"name", shown->name}, {"center", ellipse.center}, {"u", ellipse.u}, {"v", ellipse.v}};
   if (!editor_.run({{"command", "change_slides"}, {"slides", nlohmann::json::array({change})}})) show_slide();
 }
 

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "host/file/file_error.h"
-
 namespace cagewright::host {
 namespace {
 
@@ -29,8 +27,6 @@ const PreviewSlide* preview_of(const Workspace& workspace, std::int64_t id) {
 void ViewSync::update(WorkspaceChange change) {
   switch (change) {
     case WorkspaceChange::scene:
-      meshes_.clear();
-      [[fallthrough]];
     case WorkspaceChange::mesh:
       show_meshes();
       show_cage();
@@ -57,15 +53,8 @@ void ViewSync::show_meshes() {
   if (workspace_.has_scene()) {
     const SceneDocument& document = workspace_.document();
     for (const SceneMeshNode& node : document.mesh_nodes()) {
-      std::shared_ptr<const TriangleMesh>& mesh = meshes_[node.node];
-      if (!mesh) {
-        try {
-          mesh = std::make_shared<const TriangleMesh>(document.mesh(node.node).mesh);
-        } catch (const FileError&) {  // the workspace says so when it is chosen
-          mesh = std::make_shared<const TriangleMesh>();
-        }
-      }
-      shown.push_back({node.node, mesh, document.to_scene(node.node), node.node == workspace_.mesh_node()});
+      const std::shared_ptr<const TriangleMesh> mesh = workspace_.mesh_of(node.node);
+      if (mesh) shown.push_back({node.node, mesh, document.to_scene(node.node), node.node == workspace_.mesh_node()});
     }
   }
   view_.set_meshes(std::move(shown));
@@ -107,7 +96,9 @@ void ViewSync::show_cage() {
     view_.set_outside({});
     return;
   }
-  const ShownCage shown{cage.cage, cage.sections, !cage.is_of_now || cage.failed};
+  ShownCage shown{cage.cage, {}, !cage.is_of_now || cage.failed};
+  for (std::size_t i = 0; i < cage.sections.size(); ++i)
+    if (i >= cage.sections_merged.size() || !cage.sections_merged[i]) shown.sections.push_back(cage.sections[i]);
   view_.set_cage(&shown);
   if (!cage.cut_model.triangles.empty()) view_.set_parts(cage.cut_model, cage.cut_model_parts);
   if (cage.certificate) view_.set_outside(cage.certificate->vertices_outside);

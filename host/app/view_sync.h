@@ -2,9 +2,6 @@
 #ifndef CAGEWRIGHT_HOST_APP_VIEW_SYNC_H
 #define CAGEWRIGHT_HOST_APP_VIEW_SYNC_H
 
-#include <map>
-#include <memory>
-
 #include "host/app/editor.h"
 #include "host/view/window/scene_view.h"
 #include "host/view/window/slide_handles.h"
@@ -29,7 +26,6 @@ class ViewSync {
   const Workspace& workspace_;
   SceneView& view_;
   SlideHandles& handles_;
-  std::map<int, std::shared_ptr<const TriangleMesh>> meshes_;  // of the document's nodes, read once
 };
 
 }  // namespace cagewright::host

@@ -119,7 +119,10 @@ void ViewWidget::run(const nlohmann::json& command) {
   const std::string name = command.at("command");
   if (name == "frame") {
     const std::string what = command.value("what", "all");
-    what == "all" ? frame_all() : frame_selection();
+    if (command.contains("slide"))
+      frame_slide(command["slide"]);
+    else
+      what == "all" ? frame_all() : frame_selection();
   } else if (name == "look") {
     camera_->look_along(axis_of(command.value("axis", "perspective")));
     frame_all();
@@ -127,7 +130,7 @@ void ViewWidget::run(const nlohmann::json& command) {
     camera_->set_orthographic(command.value("orthographic", false));
   } else if (name == "colours") {
     ViewOptions options = scene_->options();
-    const std::string colours = command.value("colours", "plain");
+    const std::string colours = command.value("by", "plain");
     options.colours = colours == "parts"      ? ViewOptions::Colours::parts
                       : colours == "coverage" ? ViewOptions::Colours::coverage
                                               : ViewOptions::Colours::plain;
@@ -153,8 +156,14 @@ void ViewWidget::frame_all() {
   render_soon();
 }
 
-void ViewWidget::frame_selection() {
-  const auto bounds = scene_->bounds_of_slides(editor_.workspace().selection());
+void ViewWidget::frame_selection() { frame_slides(editor_.workspace().selection()); }
+
+void ViewWidget::frame_slide(const std::string& name) {
+  if (const SceneSlide* slide = editor_.workspace().find_slide(name)) frame_slides({slide->id});
+}
+
+void ViewWidget::frame_slides(const std::vector<std::int64_t>& ids) {
+  const auto bounds = scene_->bounds_of_slides(ids);
   if (!bounds) return frame_all();
   camera_->frame(*bounds);
   render_soon();

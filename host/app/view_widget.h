@@ -47,6 +47,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   void run(const nlohmann::json& command);
   void frame_all();
   void frame_selection();
+  void frame_slide(const std::string& name);
   void frame_place(const Point3& place);
   void show_help(const QString& text);  // over the view; empty: none
 
@@ -68,6 +69,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   enum class Doing { nothing, tool, tumble, track, dolly };
 
   void set_up_window();
+  void frame_slides(const std::vector<std::int64_t>& ids);
   void update(WorkspaceChange change);
   MousePoint mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
   Doing begin_of(const QMouseEvent& event);

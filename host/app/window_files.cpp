@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QSettings>
 #include <system_error>
 
@@ -48,9 +49,9 @@ void MainWindow::open(const fs::path& path) {
     recovers = answer == QMessageBox::Yes;
   }
   if (editor_->workspace().has_scene()) autosave_->discard();
-  json command = {{"command", "open"}, {"path", recovers ? left->string() : scene.string()}};
-  if (recovers) command["save_as"] = saved_as.string();
-  if (!editor_->run(command)) return;
+  const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
+                                : editor_->run({{"command", "open"}, {"path", scene.string()}});
+  if (!is_open) return;
   remember(scene);
   if (left && !recovers) autosave_->discard();
   for (const std::string& note : editor_->workspace().notes()) say_failure(note);
@@ -84,12 +85,28 @@ void MainWindow::choose_file() {
   open(path_of(file));
 }
 
-bool MainWindow::save() { return editor_->run({{"command", "save"}, {"path", editor_->workspace().path().string()}}); }
+// With a box that tells how far it has come and can be cancelled; false: it was.
+bool MainWindow::wait_for_cage() {
+  Workspace& workspace = editor_->workspace();
+  if (!workspace.has_to_wait_to_save()) return true;
+  QProgressDialog box("Making the cage that is to be saved ...", "Cancel", 0, 1000, this);
+  box.setWindowModality(Qt::WindowModal);
+  box.setMinimumDuration(400);
+  while (workspace.has_to_wait_to_save() && workspace.progress().is_solving && !box.wasCanceled()) {
+    box.setValue(static_cast<int>(999 * workspace.progress().fraction));
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  }
+  return !box.wasCanceled();
+}
+
+bool MainWindow::save() {
+  return wait_for_cage() && editor_->run({{"command", "save"}, {"path", editor_->workspace().path().string()}});
+}
 
 bool MainWindow::save_as() {
   const QString file = QFileDialog::getSaveFileName(this, "Save as", text_of(editor_->workspace().path()),
                                                     "glTF, binary (*.glb);;glTF, text (*.gltf)");
-  if (file.isEmpty()) return false;
+  if (file.isEmpty() || !wait_for_cage()) return false;
   autosave_->discard();
   if (!editor_->run({{"command", "save"}, {"path", file.toStdString()}})) return false;
   remember(path_of(file));
@@ -101,14 +118,14 @@ void MainWindow::export_cage() {
   suggested.replace_filename(suggested.stem().string() + "_cage.obj");
   const QString file = QFileDialog::getSaveFileName(this, "Export the cage", text_of(suggested),
                                                     "Meshes (*.obj *.off *.ply *.stl *.glb *.gltf)");
-  if (!file.isEmpty()) editor_->run({{"command", "export_cage"}, {"path", file.toStdString()}});
+  if (!file.isEmpty() && wait_for_cage()) editor_->run({{"command", "export_cage"}, {"path", file.toStdString()}});
 }
 
 void MainWindow::export_picture() {
   fs::path suggested = editor_->workspace().path();
   suggested.replace_extension(".png");
   const QString file = QFileDialog::getSaveFileName(this, "Export a picture", text_of(suggested), "Pictures (*.png)");
-  if (file.isEmpty()) return;
+  if (file.isEmpty() || !wait_for_cage()) return;
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   editor_->run({{"command", "picture"}, {"path", file.toStdString()}});
   QGuiApplication::restoreOverrideCursor();
@@ -119,7 +136,7 @@ void MainWindow::export_turntable() {
   if (folder.isEmpty()) return;
   bool is_given = false;
   const int frames = QInputDialog::getInt(this, "Turntable", "Frames of one turn", 36, 2, 720, 1, &is_given);
-  if (!is_given) return;
+  if (!is_given || !wait_for_cage()) return;
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   editor_->run({{"command", "turntable"}, {"folder", folder.toStdString()}, {"frames", frames}});
   QGuiApplication::restoreOverrideCursor();
@@ -153,7 +170,10 @@ void MainWindow::copy_slides() {
 }
 
 void MainWindow::paste_slides() {
-  editor_->run({{"command", "paste_slides"}, {"text", QApplication::clipboard()->text().toStdString()}});
+  const json copied = json::parse(QApplication::clipboard()->text().toStdString(), nullptr, false);
+  if (!copied.is_object() || !copied.contains("slides"))
+    return say_failure("The clipboard holds no slides: copy some first.");
+  editor_->run({{"command", "paste_slides"}, {"slides", copied["slides"]}});
 }
 
 }  // namespace cagewright::host

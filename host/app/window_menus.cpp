@@ -202,11 +202,11 @@ void MainWindow::make_view_menu() {
   add_command(menu, "shaded", "S&haded", "5", "The model's surface",
               {{"command", "show"}, {"what", "wireframe"}, {"on", false}});
   add_command(menu, "colours_plain", "&Plain Colour", "6", "The model in one colour",
-              {{"command", "colours"}, {"colours", "plain"}});
+              {{"command", "colours"}, {"by", "plain"}});
   add_command(menu, "colours_parts", "Colour Pa&rts", "7", "Each part of the model in a colour of its own",
-              {{"command", "colours"}, {"colours", "parts"}});
+              {{"command", "colours"}, {"by", "parts"}});
   add_command(menu, "colours_coverage", "Colour &Coverage", "8", "What pokes out of the cage is red",
-              {{"command", "colours"}, {"colours", "coverage"}});
+              {{"command", "colours"}, {"by", "coverage"}});
   menu.addSeparator();
   const struct {
     const char *name, *text, *what;

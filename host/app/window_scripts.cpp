@@ -12,10 +12,14 @@
 namespace cagewright::host {
 
 void MainWindow::record_script() {
-  if (recorder_->is_recording()) return recorder_->stop();
-  const QString file = QFileDialog::getSaveFileName(this, "Record a script", "", "Scripts (*.jsonl);;All files (*)");
-  const bool is_recording = !file.isEmpty() && editor_->attempt([&] { recorder_->start(file.toStdString()); });
-  record_->setChecked(is_recording);
+  if (recorder_->is_recording()) return record({});
+  record(QFileDialog::getSaveFileName(this, "Record a script", "", "Scripts (*.jsonl);;All files (*)").toStdString());
+}
+
+void MainWindow::record(const std::filesystem::path& path) {
+  recorder_->stop();
+  if (!path.empty()) editor_->attempt([&] { recorder_->start(path); });
+  record_->setChecked(recorder_->is_recording());
 }
 
 void MainWindow::run_script() {

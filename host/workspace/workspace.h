@@ -55,6 +55,8 @@ class Workspace {
   // Any model or scene; a model becomes a new scene, not saved yet, whose path is the model's with .glb. The first mesh
   // node with slides, else the first, is chosen. On failure everything stays.
   void open(const std::filesystem::path& path);
+  // What save_copy has left of a scene: opened as that scene, with changes that are not saved. Throws FileError.
+  void recover(const std::filesystem::path& copy, const std::filesystem::path& scene);
   void close();
   // As .glb or .gltf, with the cages as they are now; waits for them (Cancelled where interrupt_solve was called), but
   // after cancel_solve takes the last good ones. Path and format become the scene's; atomic.

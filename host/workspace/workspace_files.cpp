@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <limits>
 
 #include "host/command/cage_commands.h"
 #include "host/file/atomic_file.h"
@@ -13,6 +14,8 @@
 
 namespace cagewright::host {
 namespace {
+
+constexpr std::uint64_t never_saved = std::numeric_limits<std::uint64_t>::max();  // no state of a stack
 
 void check_scene_name(const std::filesystem::path& path) {
   if (!is_scene_name(path)) throw FileError(path, {}, "a scene is written as .glb or .gltf");
@@ -66,6 +69,13 @@ void Workspace::State::set_scene(std::unique_ptr<OpenScene> with) {
 }
 
 void Workspace::open(const std::filesystem::path& path) { state_->set_scene(OpenScene::read(path)); }
+
+void Workspace::recover(const std::filesystem::path& copy, const std::filesystem::path& scene) {
+  std::unique_ptr<OpenScene> open = OpenScene::read(copy);
+  open->path = scene;
+  open->saved_state = never_saved;
+  state_->set_scene(std::move(open));
+}
 
 void Workspace::close() {
   if (state_->scene) state_->set_scene(nullptr);

@@ -203,16 +203,13 @@ class Window:
 
     def shot(self, keep=None):
         time.sleep(0.2)
-        raw = subprocess.run(['import', '-window', 'root', '-silent', '-depth', '8', 'ppm:-'], env=self.environment,
-                             check=True, stdout=subprocess.PIPE).stdout
-        fields, at = [], 0
-        while len(fields) < 4:  # P6, width, height, 255
-            end = at
-            while raw[end:end + 1] not in (b' ', b'\n', b'\t'):
-                end += 1
-            fields.append(raw[at:end])
-            at = end + 1
-        picture = Picture(int(fields[1]), int(fields[2]), raw[at:])
+        whole = subprocess.run(['import', '-window', 'root', '-silent', 'miff:-'], env=self.environment, check=True,
+                               stdout=subprocess.PIPE).stdout
+        size = subprocess.run(['identify', '-format', '%w %h', 'miff:-'], input=whole, check=True, stdout=subprocess.PIPE)
+        pixels = subprocess.run(['convert', 'miff:-', '-depth', '8', 'rgb:-'], input=whole, check=True,
+                                stdout=subprocess.PIPE)
+        width, height = map(int, size.stdout.split())
+        picture = Picture(width, height, pixels.stdout)
         folder = os.environ.get('CAGEWRIGHT_KEEP_SHOTS')
         if folder and keep:
             picture.save(os.path.join(folder, keep + '.png'))

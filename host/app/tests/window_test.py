@@ -69,8 +69,8 @@ class Looking(WindowTest):
         window.run('show', what='slides', on=False)
         window.run('show', what='sections', on=False)
         bare = window.shot()
-        self.assertLess(bare.count(view, is_red), 20)
-        self.assertLess(bare.count(view, is_green), 20)
+        self.assertLess(bare.count(view, is_red), 60)  # an axis in the corner
+        self.assertLess(bare.count(view, is_green), 60)
 
     def test_shows_a_certified_cage(self):
         window = self.open()
@@ -251,7 +251,7 @@ class Editing(WindowTest):
         state = window.settle()
         self.assertEqual(len(state['slides']), count)
         self.assertLess(min(slide['center'][0] for slide in state['slides']
-                            if abs(slide['center'][1] - 0.51) < 0.03), -0.1)
+                            if abs(slide['center'][1] - 0.51) < 0.03), -0.05)
 
     def test_numbers_in_the_attribute_editor_move_a_slide(self):
         window = self.open()
@@ -349,6 +349,7 @@ class Files(WindowTest):
         time.sleep(0.5)
         window.crash()
         again = self.open('crashed.glb', home=home)
+        again.focus_dialog('Recover')
         again.click_widget('Yes')
         state = again.settle()
         self.assertNotIn('brow', [slide['name'] for slide in state['slides']])
