@@ -87,6 +87,11 @@ json CommandPort::where(const json& command) const {
   json place = position(widget->mapToGlobal(QPoint(0, 0)));
   place["width"] = widget->width();
   place["height"] = widget->height();
+  for (const char* property : {"plainText", "text", "title", "windowTitle"})
+    if (const QVariant text = widget->property(property); text.isValid() && !text.toString().isEmpty()) {
+      place["text"] = text.toString().toStdString();
+      break;
+    }
   return place;
 }
 
@@ -101,6 +106,7 @@ json CommandPort::state() const {
               {"has_scene", workspace.has_scene()}};
   if (!workspace.has_scene()) return all;
   const CageState& cage = workspace.cage();
+  all["mesh"] = workspace.mesh_node();
   all["saved"] = workspace.is_saved();
   all["selection"] = names(workspace, workspace.selection());
   json slides = json::array(), problems = json::array();

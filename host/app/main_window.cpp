@@ -105,6 +105,8 @@ void MainWindow::make_docks() {
   dock("attributes_dock", "Attributes", tabs_, Qt::RightDockWidgetArea);
   dock("report_dock", "Report", scrolled(new ReportPanel(*editor_, this)), Qt::RightDockWidgetArea);
   for (QDockWidget* widget : findChildren<QDockWidget*>()) widget->setMinimumWidth(dock_width);
+  resizeDocks({findChild<QDockWidget*>("attributes_dock"), findChild<QDockWidget*>("report_dock")}, {2, 3},
+              Qt::Vertical);
   resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
 }
 

@@ -72,8 +72,8 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   plot_ = new ConvergencePlot(this);
   column->addWidget(verdict_);
-  column->addWidget(figures_);
   column->addWidget(plot_);
+  column->addWidget(figures_);
   column->addStretch();
   editor_.listen([this](WorkspaceChange change) {
     if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh ||

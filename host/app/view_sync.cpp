@@ -2,6 +2,8 @@
 #include "host/app/view_sync.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,13 +64,16 @@ void ViewSync::show_meshes() {
 
 void ViewSync::show_slides() {
   std::vector<ShownSlide> shown;
+  std::set<std::string> said;
   const std::vector<std::int64_t>& selection = workspace_.selection();
   if (workspace_.has_scene())
     for (const SceneSlide* slide : workspace_.slides()) {
       const bool is_selected = std::find(selection.begin(), selection.end(), slide->id) != selection.end();
       const std::string problem = problem_of(workspace_.cage(), slide->id);
       const PreviewSlide* preview = preview_of(workspace_, slide->id);
-      const std::string label = !problem.empty() ? problem : is_selected ? slide->name : "";
+      // A sentence about two slides stands beside the first of them.
+      const bool is_said = !problem.empty() && said.insert(problem).second;
+      const std::string label = is_said ? problem : is_selected ? slide->name : "";
       shown.push_back({slide->id, label, preview ? preview->ellipse : slide->ellipse, is_selected, preview != nullptr,
                        !problem.empty()});
     }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The window, steered by mouse and keyboard as a person would, and looked at.
 
-    python3 window_test.py PROGRAM TESTDATA SLIDES_FOLDER [unittest's arguments]
+    python3 window_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
 """
 import json
 import os
@@ -14,7 +14,7 @@ import unittest
 
 from window_driver import SCREEN, Server, Window, is_green, is_red, is_selected
 
-PROGRAM, TESTDATA, SLIDES = sys.argv[1:4] if len(sys.argv) > 3 else ('', '', '')
+PROGRAM, TESTDATA, SLIDES, SCENES = sys.argv[1:5] if len(sys.argv) > 4 else [''] * 4
 
 
 def setUpModule():
@@ -302,6 +302,53 @@ class Problems(WindowTest):
         self.assertEqual(window.settle()['problems'], [])
 
 
+class Scenes(WindowTest):
+    def open_scene(self, name):
+        window = Window(server, PROGRAM, os.path.join(SCENES, name))
+        self.addCleanup(window.close)
+        window.settle()
+        return window
+
+    def test_a_double_click_in_the_outliner_chooses_the_mesh_to_cage(self):
+        window = self.open_scene('slides_two_caged_meshes.gltf')
+        first = window.state()
+        outliner = window.where(widget='outliner')
+        for row in range(1, 12):  # until the row of the other mesh is hit
+            y = outliner['y'] + 14 + 17 * row
+            window.move(outliner['x'] + 60, y)
+            window.xdotool('click', '--repeat', 2, '--delay', 60, 1)
+            state = window.settle()
+            if state['mesh'] != first['mesh']:
+                break
+        self.assertNotEqual(state['mesh'], first['mesh'])
+        self.assertNotEqual([slide['center'] for slide in state['slides']],
+                            [slide['center'] for slide in first['slides']])
+        self.assertGreater(window.shot('two_meshes').count(window.view(), is_red), 20)
+
+    def test_slides_are_where_their_node_is(self):
+        for name in ('nodes_non_uniform_scale.gltf', 'nodes_negative_scale.gltf', 'nodes_matrix.gltf'):
+            with self.subTest(name):
+                window = self.open_scene(name)
+                window.run('add_slide', name='cut', center=[0, 0, 0], u=[0.6, 0, 0], v=[0, 0, 0.6])
+                window.settle()
+                slide = window.state()['slides'][0]
+                at = window.where(point=[c + u for c, u in zip(slide['center'], slide['u'])])
+                window.run('select', slides=[])
+                shot = window.shot('placed_' + name)
+                self.assertGreater(shot.count((at['x'] - 6, at['y'] - 6, 13, 13), is_red), 3)
+                window.close()
+
+    def test_what_the_plugin_would_know_survives_without_it(self):
+        window = Window(server, PROGRAM, environment={'CAGEWRIGHT_PLUGIN': path('none.so')})
+        self.addCleanup(window.close)
+        window.run('open', path=path('biped.glb'))
+        state = window.settle()
+        self.assertEqual(len(state['slides']), 17)
+        window.run('save', path=path('without.glb'))
+        with open(path('biped.glb'), 'rb') as before, open(path('without.glb'), 'rb') as after:
+            self.assertEqual(after.read(), before.read())
+
+
 class Files(WindowTest):
     scene = 'biped.glb'
 
@@ -425,6 +472,24 @@ class Working(WindowTest):
         window.run('open', path=path('biped.glb'))
         self.assertEqual(len(window.settle()['slides']), 17)
 
+    def test_ceres_checks_the_scene_in_a_process_of_its_own(self):
+        window = self.open('biped.glb')
+        window.settle()
+        window.key('alt+c', 'v')
+        time.sleep(0.5)
+        seconds = window.where(widget='validation_seconds')
+        window.focus_dialog('Validate')
+        window.click(seconds['x'] + 20, seconds['y'] + seconds['height'] / 2)
+        window.key('ctrl+a', '0', 'Tab')
+        window.click_widget('validation_start')
+        end = time.monotonic() + 120
+        while 'Done' not in (text := window.where(widget='validation_text').get('text', '')):
+            self.assertLess(time.monotonic(), end, text)
+            window.state()
+            time.sleep(0.2)
+        window.shot('validated')
+        self.assertIn('Ceres agrees', text)
+
     def test_says_one_sentence_where_there_is_no_display(self):
         environment = {key: value for key, value in os.environ.items() if key != 'DISPLAY'}
         run = subprocess.run([PROGRAM, 'view', path('biped.off')], env=environment, stderr=subprocess.PIPE,
@@ -443,4 +508,4 @@ class Working(WindowTest):
 
 
 if __name__ == '__main__':
-    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[5:], verbosity=2)
