@@ -9,7 +9,7 @@
 namespace cagewright::host {
 namespace {
 
-constexpr int digits = 6;
+constexpr int digits = 5;  // shown; the value keeps all
 
 }  // namespace
 

@@ -169,7 +169,7 @@ void MainWindow::make_slide_menu() {
   const char* axes[] = {"x", "y", "z"};
   QMenu& mirror = *menu.addMenu("M&irror");
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string name = std::string("mirror_") + axes[axis], text = std::string("Across &") + axes[axis];
+    const std::string name = std::string("mirror_") + axes[axis], text = std::string("Mirror Across &") + axes[axis];
     add_for_selection(mirror, name.c_str(), text.c_str(), axis == 0 ? "M" : "",
                       "Adds a copy of each selected slide on the other side of the mesh's middle",
                       {{"command", "mirror_slides"}, {"axis", axes[axis]}});
