@@ -158,6 +158,7 @@ class CageBuilder {
     place.slide = static_cast<std::size_t>(std::min(a, b));
     place.other_slide = static_cast<std::size_t>(std::max(a, b));
     place.part = static_cast<std::size_t>(cage_.triangle_part[second]);
+    place.point = (points_[static_cast<std::size_t>(edge.first)] + points_[static_cast<std::size_t>(edge.second)]) / 2;
     const auto part = [&](std::size_t t) { return std::to_string(cage_.triangle_part[t]); };
     throw Error(ErrorCode::parts_share_wall,
                 "parts " + part(first) + " and " + part(second) + " both lie between slide '" + names_[*place.slide] +

@@ -125,13 +125,14 @@ void check_heights(const Segmentation& result, double diagonal, const std::vecto
 // Of each slide the half-edges of its loop, the triangles ahead of the slide on their left.
 using LoopWalls = std::vector<std::vector<HalfedgeHandle>>;
 
-LoopWalls cut_along_slides(CutMesh& cut, const std::vector<Slide>& slides, const std::vector<std::string>& names,
-                           Segmentation& result, std::vector<bool>& hollow, const Progress& progress) {
+LoopWalls cut_along_slides(const Model& model, CutMesh& cut, const std::vector<Slide>& slides,
+                           const std::vector<std::string>& names, Segmentation& result, std::vector<bool>& hollow,
+                           const Progress& progress) {
   LoopWalls walls;
   for (std::size_t k = 0; k < slides.size(); ++k) {
     if (progress && !progress(static_cast<double>(k) / static_cast<double>(slides.size())))
       throw Error(ErrorCode::cancelled, "cancelled while the model was cut");
-    SlideOnModel placed = place_slide(cut.mesh(), slides[k], k);
+    SlideOnModel placed = place_slide(cut.mesh(), with_plane(model.mesh, slides[k], k), k);
     walls.push_back(cut.cut(placed.loop, static_cast<int>(k), names));
     result.ellipses.push_back(placed.ellipse);
     hollow.push_back(placed.hollow);
@@ -148,7 +149,7 @@ Segmentation segment(const Model& model, const std::vector<Slide>& slides, const
   Segmentation result;
   CutMesh cut(model.mesh, model.diagonal);
   std::vector<bool> hollow;
-  const LoopWalls walls = cut_along_slides(cut, slides, names, result, hollow, progress);
+  const LoopWalls walls = cut_along_slides(model, cut, slides, names, result, hollow, progress);
   const HalfEdgeMesh& mesh = cut.mesh();
   result.cut = to_indexed_mesh(mesh);
 

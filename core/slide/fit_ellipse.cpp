@@ -18,7 +18,7 @@ namespace {
                        std::optional<std::size_t> element = {}) {
   ErrorPlace place;
   place.element = element;
-  throw Error(code, "slide '" + name + "': " + what, place);
+  throw Error(code, slide_text(name) + ": " + what, place);
 }
 
 // Turns an ellipse given in plane coordinates into space, |u| >= |v|, normal along u x v.
@@ -238,6 +238,8 @@ void check_definition(const Slide& slide) {
     check_finite(plane->normal, "normal", slide.name);
     if (!(plane->normal.stableNorm() > 0))
       fail(ErrorCode::slide_degenerate, slide.name, "its normal is zero: give the direction that the plane faces");
+  } else if (const auto* click = std::get_if<PointDefinition>(&slide.definition)) {
+    check_finite(click->point, "point", slide.name);
   } else {
     from_radii(std::get<EllipseDefinition>(slide.definition), slide.name);
   }

@@ -8,6 +8,8 @@
 #include "core/error/error.h"
 #include "core/mesh/predicates.h"
 #include "core/mesh/tolerance.h"
+#include "core/slide/across_limb.h"
+#include "core/slide/crossed_edges.h"
 #include "core/slide/fit_ellipse.h"
 #include "core/slide/plane_frame.h"
 
@@ -30,21 +32,10 @@ std::vector<double> heights(const HalfEdgeMesh& mesh, const Vector3& point, cons
   return height;
 }
 
-bool ahead(double height) { return height >= 0; }
-
-// The next crossed half-edge, from behind to ahead, in the triangle on the right of `h`: that way the loop round solid
-// material runs counter-clockwise about the normal.
-HalfedgeHandle next_crossed(const HalfEdgeMesh& mesh, const std::vector<double>& height, HalfedgeHandle h) {
-  const HalfedgeHandle back = mesh.opposite_halfedge_handle(h);
-  const HalfedgeHandle next = mesh.next_halfedge_handle(back);
-  const VertexHandle third = mesh.to_vertex_handle(next);
-  return ahead(height[static_cast<std::size_t>(third.idx())]) ? next : mesh.prev_halfedge_handle(back);
-}
-
 Vector3 crossing(const HalfEdgeMesh& mesh, const std::vector<double>& height, HalfedgeHandle h) {
   const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
-  const double behind = height[static_cast<std::size_t>(a.idx())], before = height[static_cast<std::size_t>(b.idx())];
-  return mesh.point(a) + behind / (behind - before) * (mesh.point(b) - mesh.point(a));
+  return crossing_point(mesh.point(a), height[static_cast<std::size_t>(a.idx())], mesh.point(b),
+                        height[static_cast<std::size_t>(b.idx())]);
 }
 
 double signed_area(const std::vector<Vector2>& polygon) {
@@ -121,6 +112,24 @@ Vector3 deepest_point(const Points& loop, const Ellipse& ellipse) {
   return best;
 }
 
+// Where the slide is; not finite where it does not say.
+Vector3 place_of(const SlideDefinition& definition) {
+  if (const auto* stroke = std::get_if<StrokeDefinition>(&definition)) {
+    return stroke->points.colwise().sum() / static_cast<double>(stroke->points.rows());
+  }
+  if (const auto* plane = std::get_if<PointNormalDefinition>(&definition)) return plane->point;
+  if (const auto* click = std::get_if<PointDefinition>(&definition)) return click->point;
+  return std::get<EllipseDefinition>(definition).center;
+}
+
+Error of_slide(const Error& error, const Slide& slide, std::size_t index) {
+  ErrorPlace place = error.place();
+  place.slide = index;
+  const Vector3 own = place_of(slide.definition);
+  if (!place.point && own.allFinite()) place.point = own;
+  return {error.code(), error.what(), place};
+}
+
 [[noreturn]] void fail(ErrorCode code, const std::string& sentence, std::size_t index, const Vector3& point) {
   ErrorPlace place;
   place.slide = index;
@@ -135,7 +144,7 @@ SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const PointNormalDefinitio
   if (!loop) loop = nearest_loop(loops, plane.point, plane.normal);
   if (!loop)
     fail(ErrorCode::slide_misses_model,
-         "slide '" + name + "' misses the model: its plane through " + to_text(plane.point) +
+         slide_text(name) + " misses the model: its plane through " + to_text(plane.point) +
              " does not cut it; move the point onto the limb to cut",
          index, plane.point);
   SlideOnModel placed{fit_loop(loop->points, plane.point, plane.normal, name), *loop, false};
@@ -150,13 +159,13 @@ SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, con
   const std::vector<PlaneLoop> loops = plane_loops(mesh, ellipse.center, ellipse.normal);
   if (loops.empty())
     fail(ErrorCode::slide_misses_model,
-         "slide '" + name + "' misses the model: its plane through " + to_text(ellipse.center) +
+         slide_text(name) + " misses the model: its plane through " + to_text(ellipse.center) +
              " does not cut it; move the slide onto the limb to cut",
          index, ellipse.center);
   const PlaneLoop* loop = enclosing_loop(loops, ellipse.center, ellipse.normal);
   if (!loop)
     fail(ErrorCode::slide_not_enclosed,
-         "slide '" + name + "': no closed loop of the model goes round its centre " + to_text(ellipse.center) +
+         slide_text(name) + ": no closed loop of the model goes round its centre " + to_text(ellipse.center) +
              " in its plane; move the centre inside the limb to cut",
          index, ellipse.center);
   return {ellipse, *loop, has_inside_wall(loops, ellipse)};
@@ -171,8 +180,8 @@ std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const Vector3& poin
   for (std::size_t e = 0; e < mesh.n_edges(); ++e) {
     if (visited[e]) continue;
     HalfedgeHandle start = mesh.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(e)), 0);
-    const bool from = ahead(height[static_cast<std::size_t>(mesh.from_vertex_handle(start).idx())]);
-    const bool to = ahead(height[static_cast<std::size_t>(mesh.to_vertex_handle(start).idx())]);
+    const bool from = is_ahead(height[static_cast<std::size_t>(mesh.from_vertex_handle(start).idx())]);
+    const bool to = is_ahead(height[static_cast<std::size_t>(mesh.to_vertex_handle(start).idx())]);
     if (from == to) continue;
     if (from) start = mesh.opposite_halfedge_handle(start);
     PlaneLoop loop;
@@ -180,7 +189,7 @@ std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const Vector3& poin
     do {
       visited[static_cast<std::size_t>(mesh.edge_handle(h).idx())] = true;
       loop.crossed.push_back(h);
-      h = next_crossed(mesh, height, h);
+      h = next_crossed(mesh, h, height[static_cast<std::size_t>(third_vertex(mesh, h).idx())]);
     } while (h != start);
     loop.points.resize(static_cast<Eigen::Index>(loop.crossed.size()), 3);
     for (std::size_t i = 0; i < loop.crossed.size(); ++i)
@@ -206,6 +215,10 @@ int winding_number(const Points& loop, const Vector3& center, const Vector3& nor
 
 SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index) {
   try {
+    if (const auto* click = std::get_if<PointDefinition>(&slide.definition)) {
+      check_definition(slide);
+      return place_by_point(mesh, plane_across_limb(mesh, *click, slide.name), slide.name, index);
+    }
     if (const auto* plane = std::get_if<PointNormalDefinition>(&slide.definition)) {
       check_definition(slide);
       return place_by_point(mesh, *plane, slide.name, index);
@@ -215,9 +228,18 @@ SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size
     return place_ellipse(mesh, from_radii(std::get<EllipseDefinition>(slide.definition), slide.name), slide.name,
                          index);
   } catch (const Error& error) {
-    ErrorPlace place = error.place();
-    place.slide = index;
-    throw Error(error.code(), error.what(), place);
+    throw of_slide(error, slide, index);
+  }
+}
+
+Slide with_plane(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index) {
+  const auto* click = std::get_if<PointDefinition>(&slide.definition);
+  if (!click) return slide;
+  try {
+    check_definition(slide);
+    return {slide.name, plane_across_limb(mesh, *click, slide.name)};
+  } catch (const Error& error) {
+    throw of_slide(error, slide, index);
   }
 }
 

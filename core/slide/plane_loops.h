@@ -24,14 +24,18 @@ std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const Vector3& poin
 int winding_number(const Points& loop, const Vector3& center, const Vector3& normal);
 
 // Finds the ellipse of `slide` on the model and the loop that it cuts: the innermost one round the centre.
-// A point-and-normal slide takes the loop round its point, else the nearest one.
-// Throws Error: those of fit_ellipse.h, slide_misses_model, slide_not_enclosed. `index` is the slide's, for the error.
-// O(n).
+// A point-and-normal slide takes the loop round its point, else the nearest one; a point alone that of with_plane.
+// Throws Error: those of fit_ellipse.h and across_limb.h, slide_misses_model, slide_not_enclosed. `index` is the
+// slide's, for the error. O(n).
 struct SlideOnModel {
   Ellipse ellipse;
   PlaneLoop loop;
   bool hollow = false;  // within the loop the model has an inside wall round the centre, as a pipe has
 };
 SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index);
+
+// A slide that is a point alone with the plane that across_limb.h finds for it; any other slide as it is. Where `mesh`
+// is to be cut, this comes first: the plane must not depend on the cuts of other slides. Throws as place_slide. O(n).
+Slide with_plane(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index);
 
 }  // namespace cagewright

@@ -26,12 +26,18 @@ struct PointNormalDefinition {
 struct EllipseDefinition {
   Vector3 center, u, v;  // conjugate radii
 };
-using SlideDefinition = std::variant<StrokeDefinition, PointNormalDefinition, EllipseDefinition>;
+struct PointDefinition {
+  Vector3 point;  // on the surface; the plane is that across the limb there (see across_limb.h)
+};
+using SlideDefinition = std::variant<StrokeDefinition, PointNormalDefinition, EllipseDefinition, PointDefinition>;
 
-// What the user asked for. The name is used in sentences.
+// What the user asked for.
 struct Slide {
-  std::string name;
+  std::string name;  // empty only where it is alone
   SlideDefinition definition;
 };
+
+// How sentences call it: "slide 'wrist'", or "the slide" where it has no name.
+inline std::string slide_text(const std::string& name) { return name.empty() ? "the slide" : "slide '" + name + "'"; }
 
 }  // namespace cagewright

@@ -268,6 +268,8 @@ Slide moved(const Slide& slide, const Motion& motion) {
       stroke->points.row(i) = motion(Vector3(stroke->points.row(i))).transpose();
   } else if (auto* plane = std::get_if<PointNormalDefinition>(&result.definition)) {
     *plane = {motion(plane->point), motion.turn(plane->normal)};
+  } else if (auto* click = std::get_if<PointDefinition>(&result.definition)) {
+    click->point = motion(click->point);
   } else {
     auto& ellipse = std::get<EllipseDefinition>(result.definition);
     ellipse = {motion(ellipse.center), motion.scale * motion.turn(ellipse.u), motion.scale * motion.turn(ellipse.v)};

@@ -25,6 +25,7 @@
 #include "host/file/mesh_writer.h"
 #include "host/plugin_client/find_plugin.h"
 #include "host/view/picture.h"
+#include "host/workspace/scene_picture.h"
 
 namespace cagewright::host {
 namespace {
@@ -113,16 +114,8 @@ class CageRun {
 
   std::string picture() const {
     const Session& session = *solved_.front().session;
-    PictureInput input;
-    input.model_points = input_.targets.front().model.points;
-    input.model_triangles = input_.targets.front().model.triangles;
-    input.cage_points = solved_.front().cage.points;
-    input.cage_triangles = solved_.front().cage.triangles;
-    for (const SlideInfo& slide : session.slides()) {
-      if (slide.info.has_ellipse != 1) continue;
-      input.slides.push_back({std::to_array(slide.info.center), std::to_array(slide.info.u),
-                              std::to_array(slide.info.v), slide.info.status != CGW_OK});
-    }
+    const TriangleMesh& cage = solved_.front().cage;
+    PictureInput input = session_picture(session, input_.targets.front().model, cage, cage.points);
     for (const cgw_section& section : session.sections()) {
       if (std::ranges::find(section.cage_vertex, -1) != std::end(section.cage_vertex)) continue;  // merged away
       input.sections.push_back(std::to_array(section.corners));

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "host/cli/input_error.h"
-#include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
 #include "host/file/mesh_reader.h"
 #include "host/scene/external_files.h"
@@ -128,13 +127,6 @@ class InputReader {
 };
 
 }  // namespace
-
-bool is_scene_name(const std::filesystem::path& path) {
-  const std::string ending = lower_ending(path);
-  return ending == ".glb" || ending == ".gltf";
-}
-
-bool is_binary_scene_name(const std::filesystem::path& path) { return lower_ending(path) == ".glb"; }
 
 CageInput read_cage_input(const CageCommand& command) { return InputReader(command).read(); }
 

@@ -10,6 +10,7 @@
 #include "host/file/slides_file.h"
 #include "host/file/triangle_mesh.h"
 #include "host/scene/scene_document.h"
+#include "host/scene/scene_names.h"
 
 namespace cagewright::host {
 
@@ -27,10 +28,6 @@ struct CageInput {
   bool slides_from_scene = false;
   std::vector<std::string> notes;
 };
-
-// Whether a file is written as a scene: .glb or .gltf, in any case.
-bool is_scene_name(const std::filesystem::path& path);
-bool is_binary_scene_name(const std::filesystem::path& path);  // .glb
 
 // Reads MODEL and the slides. Of a scene: the node that --node names; else the nodes that have slides; else the only
 // one with a mesh; else, where no scene is to be written, all meshes as one. Throws FileError; InputError where it is

@@ -34,7 +34,8 @@ class Solving {
       rethrow(error);
     }
     solved.cage = solved.session->cage();
-    solved.report = describe_run(command_, *plugin, *solved.session, solved.cage, plugin->inspect(solved.cage));
+    solved.report =
+        describe_run(options_of(command_), *plugin, *solved.session, solved.cage, plugin->inspect(solved.cage));
     const Report::Certificate& certificate = solved.report.certificate;
     const bool was_asked_for = solved.session->summary().last_stage >= CGW_STAGE_ENCLOSE;
     solved.is_good = was_asked_for ? *certificate.encloses && *certificate.keeps_distance : *certificate.closed;

@@ -20,20 +20,22 @@ std::string number_fault(const std::string& text) {
 class CommandLine {
  public:
   CommandLine() : app_("Cagewright makes deformation cages of closed meshes from cut slides.", "cagewright") {
-    app_.require_subcommand(1);
+    app_.require_subcommand(0, 1);
     app_.set_version_flag("--version", "cagewright " CAGEWRIGHT_VERSION);
+    add_file(app_, "--command", script_file_, "Run a script, a command a line, JSON; - is standard input");
+    add_plugin(app_, script_.plugin);
     add_cage();
     add_check();
     add_params();
     add_strip();
     add_validate();
-    view_ = app_.add_subcommand("view", "Open the window (not part of this version)");
-    view_->allow_extras();
+    add_view();
   }
 
   Invocation parse(int argc, const char* const* argv) {
     if (argc > 1 && *argv[1] != '-' && !is_command(argv[1])) {
-      throw UsageError("there is no command " + in_quotes(argv[1]) + ", only cage, check, params, strip and validate");
+      throw UsageError("there is no command " + in_quotes(argv[1]) +
+                       ", only cage, check, params, strip, validate and view");
     }
     try {
       app_.parse(argc, argv);
@@ -47,12 +49,18 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       throw UsageError(error.what());
     }
+    const bool has_subcommand = !app_.get_subcommands().empty();
+    if (script_file_) return script(has_subcommand);
+    if (!has_subcommand) {
+      throw UsageError("A subcommand is required: cage, check, params, strip or validate; or --command FILE");
+    }
+    if (script_.plugin) throw UsageError("--plugin before the subcommand is of --command FILE only: put it behind");
     if (cage_app_->parsed()) return cage();
     if (check_app_->parsed()) return check_;
     if (params_app_->parsed()) return params_;
     if (strip_app_->parsed()) return strip_;
     if (validate_app_->parsed()) return validate();
-    throw UsageError("\"view\" is not part of this version; there are cage, check, params, strip and validate");
+    return view_;
   }
 
  private:
@@ -102,6 +110,15 @@ class CommandLine {
     add_threads(*validate_app_, cage.threads);
     validate_app_->add_flag("--quiet", cage.quiet, "No progress and no notes on stderr, only errors");
     add_plugin(*validate_app_, cage.plugin);
+  }
+
+  void add_view() {
+    CLI::App* app = app_.add_subcommand("view", "Open the window: draw slides, and the cage follows");
+    add_file(*app, "SCENE", view_.scene, "What to open: .glb .gltf .obj .off .ply .stl");
+    app->add_option("--theme", view_.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app->add_flag("--commands", view_.takes_commands,
+                  "Run commands from standard input, a JSON object a line, and answer each on standard output");
+    add_plugin(*app, view_.plugin);
   }
 
   void add_set(CLI::App& app) {
@@ -178,6 +195,12 @@ class CommandLine {
     return cage_;
   }
 
+  ScriptCommandLine script(bool has_subcommand) {
+    if (has_subcommand) throw UsageError("--command FILE is all that is run: leave out the subcommand");
+    script_.script = *script_file_;
+    return script_;
+  }
+
   ValidateCommand validate() {
     append_settings(validate_.cage);
     return validate_;
@@ -192,13 +215,16 @@ class CommandLine {
 
   CLI::App app_;
   CLI::App *cage_app_ = nullptr, *check_app_ = nullptr, *params_app_ = nullptr, *strip_app_ = nullptr,
-           *validate_app_ = nullptr, *view_ = nullptr;
+           *validate_app_ = nullptr;
+  ViewCommand view_;
   CageCommand cage_;
   PictureArguments picture_;
   CheckCommand check_;
   ParamsCommand params_;
   StripCommand strip_;
   ValidateCommand validate_;
+  ScriptCommandLine script_;
+  OptionalPath script_file_;
   std::optional<std::string> delta_, lambda_, iterations_;
   std::vector<std::string> set_;
 };

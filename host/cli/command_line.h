@@ -45,6 +45,12 @@ struct ValidateCommand {
   double seconds = 120;      // for the search of a tighter cage; 0: none
 };
 
+struct ViewCommand {
+  OptionalPath scene, plugin;
+  std::optional<std::string> theme;  // "dark" or "light"
+  bool takes_commands = false;       // from standard input
+};
+
 struct StripCommand {
   std::filesystem::path scene, out;
   bool quiet = false;
@@ -55,10 +61,17 @@ struct ParamsCommand {
   bool as_json = false;
 };
 
+// --command FILE: a script.
+struct ScriptCommandLine {
+  std::filesystem::path script;  // "-": standard input
+  OptionalPath plugin;
+};
+
 // Help or version was asked for and has been printed.
 struct Ended {};
 
-using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, ValidateCommand, Ended>;
+using Invocation = std::variant<CageCommand, CheckCommand, ParamsCommand, StripCommand, ValidateCommand,
+                                ScriptCommandLine, ViewCommand, Ended>;
 
 // Reads the command line; help and version go to stdout. Throws UsageError where something is wrong with it.
 Invocation parse_command_line(int argc, const char* const* argv);

@@ -13,9 +13,11 @@
 #include "host/cli/interrupt.h"
 #include "host/cli/output_files.h"
 #include "host/cli/params_command.h"
+#include "host/cli/run_script.h"
 #include "host/cli/strip_command.h"
 #include "host/cli/text.h"
 #include "host/cli/validate_command.h"
+#include "host/cli/view_command.h"
 #include "host/file/file_error.h"
 #include "host/plugin_client/plugin_error.h"
 #include "host/view/picture.h"
@@ -30,6 +32,8 @@ struct Run {
   int operator()(const ParamsCommand& command) const { return run_params(command); }
   int operator()(const StripCommand& command) const { return run_strip(command); }
   int operator()(const ValidateCommand& command) const { return run_validate(command); }
+  int operator()(const ViewCommand& command) const { return run_view(command); }
+  int operator()(const ScriptCommandLine& command) const { return run_script(command); }
   int operator()(const Ended&) const { return exit_done; }
 };
 

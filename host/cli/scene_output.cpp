@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/cli/scene_output.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "host/cli/input_error.h"
 #include "host/command/cage_commands.h"
 #include "host/command/command_stack.h"
 #include "host/command/slide_commands.h"
-#include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
-#include "host/file/gltf_json.h"
 #include "host/scene/external_files.h"
-#include "host/scene/mesh_fingerprint.h"
+#include "host/workspace/scene_cage.h"
 
 namespace cagewright::host {
 namespace {
@@ -36,30 +33,8 @@ void add_slides(CommandStack& stack, const CageTarget& target, const Session& se
   }
 }
 
-std::string name_for_cage(const SceneDocument& scene, int node) {
-  const auto& nodes = scene.mesh_nodes();
-  const auto it = std::find_if(nodes.begin(), nodes.end(), [&](const SceneMeshNode& n) { return n.node == node; });
-  return it == nodes.end() || it->name.empty() ? "cage" : it->name + " cage";
-}
-
-bool is_in_floats(const TriangleMesh& mesh) {
-  return std::all_of(mesh.points.begin(), mesh.points.end(),
-                     [](double value) { return value == static_cast<double>(static_cast<float>(value)); });
-}
-
-// With what it is of, so that nobody believes it of another cage or model. Empty where the scene rounds the cage.
-std::string certificate_of(const SceneDocument& scene, int node, const SolvedCage& solved) {
-  if (!is_in_floats(solved.cage)) return "";
-  GltfJson certificate = parse_gltf_json({}, certificate_text(solved.report.certificate));
-  certificate["of"] = {{"model", mesh_fingerprint(scene.mesh(node).mesh)}, {"cage", mesh_fingerprint(solved.cage)}};
-  return gltf_json_text(certificate);
-}
-
-SceneCage scene_cage(const SceneDocument& scene, const SolvedCage& solved, const Plugin& plugin, int node) {
-  SceneCage cage;
-  cage.mesh_node = node;
-  if (scene.find_cage(node) == nullptr) cage.name = name_for_cage(scene, node);
-  cage.mesh = solved.cage;
+SceneCage cage_of(const SceneDocument& scene, const SolvedCage& solved, const Plugin& plugin, int node) {
+  SceneCage cage = scene_cage(scene, node, solved.cage, &solved.report.certificate);
   for (const Parameter& parameter : plugin.parameters()) {
     cage.parameters.emplace_back(parameter.id, solved.session->parameter(parameter.id));
   }
@@ -67,7 +42,6 @@ SceneCage scene_cage(const SceneDocument& scene, const SolvedCage& solved, const
     if (slide.mesh_node == node) cage.slides.push_back(slide.id);
   }
   cage.sections = solved.session->vertex_sections();
-  cage.certificate = certificate_of(scene, node, solved);
   return cage;
 }
 
@@ -92,7 +66,7 @@ std::vector<OutputFile> scene_files(const CageInput& input, const std::vector<So
         remove_slides(stack, scene, node);
         add_slides(stack, input.targets[k], *solved[k].session, node);
       }
-      stack.run(std::make_unique<SetCage>(scene_cage(scene, solved[k], plugin, node)));
+      stack.run(std::make_unique<SetCage>(cage_of(scene, solved[k], plugin, node)));
     }
   } catch (const CommandError& error) {
     throw InputError(out.string() + ": " + error.what());

@@ -17,6 +17,7 @@
 #include "host/plugin_client/find_plugin.h"
 #include "host/validate/validation_file.h"
 #include "host/view/picture.h"
+#include "host/workspace/validate_mesh.h"
 
 namespace cagewright::host {
 namespace {
@@ -29,24 +30,6 @@ void check_outputs(const ValidateCommand& command) {
   }
   require_distinct(inputs, outputs);
   for (const std::filesystem::path& output : outputs) require_writable(output);
-}
-
-std::string picture_of(const SolvedCage& solved, const CageTarget& target, const std::vector<double>& cage_points) {
-  PictureInput input;
-  input.model_points = target.model.points;
-  input.model_triangles = target.model.triangles;
-  input.cage_points = cage_points;
-  input.cage_triangles = solved.cage.triangles;
-  for (const SlideInfo& slide : solved.session->slides()) {
-    if (slide.info.has_ellipse != 1) continue;
-    input.slides.push_back({std::to_array(slide.info.center), std::to_array(slide.info.u), std::to_array(slide.info.v),
-                            slide.info.status != CGW_OK});
-  }
-  PictureOptions options;
-  options.width = 960;
-  options.height = 600;
-  const std::vector<std::uint8_t> png = render_picture(input, options);
-  return {png.begin(), png.end()};
 }
 
 class ValidateRun {
@@ -111,15 +94,8 @@ class ValidateRun {
     try {
       require_display();
       for (std::size_t i = 0; i < solved_.size(); ++i) {
-        const SolvedCage& solved = solved_[i];
-        const CageTarget& target = input_.targets[i];
-        pictures.push_back({{"The plug-in's cage", picture_of(solved, target, solved.cage.points)}});
-        const std::optional<Optimality>& tighter = report.cages[i].optimality;
-        if (!tighter) continue;
-        pictures.back().push_back({"What Ceres made of it, sections in plane and in shape",
-                                   picture_of(solved, target, tighter->shaped.vertices)});
-        pictures.back().push_back(
-            {"What Ceres made of it, sections free", picture_of(solved, target, tighter->free.vertices)});
+        pictures.push_back(
+            validation_pictures(*solved_[i].session, input_.targets[i].model, solved_[i].cage, report.cages[i]));
       }
     } catch (const PictureError& error) {
       pictures.clear();

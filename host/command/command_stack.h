@@ -2,6 +2,7 @@
 #ifndef CAGEWRIGHT_HOST_COMMAND_COMMAND_STACK_H
 #define CAGEWRIGHT_HOST_COMMAND_COMMAND_STACK_H
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,13 +22,23 @@ class CommandStack {
   bool undo();
   bool redo();
 
+  // Which of the states that the document has gone through it is in: equal numbers, equal bytes. 0: before any command.
+  std::uint64_t state() const { return done_.empty() ? 0 : done_.back().number; }
+  bool can_undo() const { return !done_.empty(); }
+  bool can_redo() const { return !undone_.empty(); }
+
   // The label of what undo() or redo() would take back or do again; empty where there is nothing.
   std::string undo_label() const;
   std::string redo_label() const;
 
  private:
   SceneDocument& document_;
-  std::vector<std::unique_ptr<Command>> done_, undone_;  // the last one is the next
+  struct Done {
+    std::unique_ptr<Command> command;
+    std::uint64_t number;
+  };
+  std::vector<Done> done_, undone_;  // the last one is the next
+  std::uint64_t last_number_ = 0;
 };
 
 }  // namespace cagewright::host

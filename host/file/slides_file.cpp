@@ -70,11 +70,16 @@ class SlidesReader {
       slide.shape = Slide::Stroke{read_stroke(json["stroke"])};
     } else if (json.contains("point") || json.contains("normal")) {
       refuse_others(json, json.contains("point") ? "point" : "normal", {"point", "normal"});
-      slide.shape = Slide::PointNormal{read_vector(json, "point"), read_vector(json, "normal")};
+      const Point3 point = read_vector(json, "point");
+      if (json.contains("normal")) {
+        slide.shape = Slide::PointNormal{point, read_vector(json, "normal")};
+      } else {
+        slide.shape = Slide::Point{point};
+      }
     } else if (json.contains("center") || json.contains("u") || json.contains("v")) {
       slide.shape = Slide::Ellipse{read_vector(json, "center"), read_vector(json, "u"), read_vector(json, "v")};
     } else {
-      fail_slide("needs \"stroke\", or \"point\" and \"normal\", or \"center\", \"u\" and \"v\"");
+      fail_slide("needs \"stroke\", or \"point\", or \"point\" and \"normal\", or \"center\", \"u\" and \"v\"");
     }
     return slide;
   }
@@ -141,6 +146,8 @@ OrderedJson to_json(const Slide& slide) {
     json["center"] = ellipse->center;
     json["u"] = ellipse->u;
     json["v"] = ellipse->v;
+  } else if (const auto* click = std::get_if<Slide::Point>(&slide.shape)) {
+    json["point"] = click->point;
   }
   return json;
 }

@@ -3,6 +3,8 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <utility>
 
@@ -19,10 +21,13 @@ std::string last_loader_error() { return text_or_empty(::dlerror()); }
   throw PluginLoadError(path.string() + ": is no plug-in for this program: " + reason);
 }
 
+// What this program cannot do without: ABI 1.2.
+constexpr std::size_t needed_size = offsetof(cgw_api, slide_fit);
+
 // The table ends in functions, and none of them is optional.
 bool has_gaps(const cgw_api& api) {
-  const char* end = reinterpret_cast<const char*>(&api + 1);
-  for (auto at = reinterpret_cast<const char*>(&api.status_name); at < end; at += sizeof(void*)) {
+  const char* end = reinterpret_cast<const char*>(&api) + std::min<std::size_t>(api.struct_size, sizeof(cgw_api));
+  for (auto at = reinterpret_cast<const char*>(&api.status_name); at + sizeof(void*) <= end; at += sizeof(void*)) {
     void* function = nullptr;
     std::memcpy(&function, at, sizeof(function));
     if (function == nullptr) return true;
@@ -33,9 +38,9 @@ bool has_gaps(const cgw_api& api) {
 void check_abi(const std::filesystem::path& path, const cgw_api* api) {
   const std::string host_version = std::to_string(CGW_ABI_MAJOR) + "." + std::to_string(CGW_ABI_MINOR);
   if (api == nullptr) refuse(path, "it does not serve ABI " + host_version);
-  if (api->struct_size < sizeof(cgw_api)) {
-    refuse(path, "its table of functions has " + std::to_string(api->struct_size) + " bytes, ABI " + host_version +
-                     " needs " + std::to_string(sizeof(cgw_api)));
+  if (api->struct_size < needed_size) {
+    refuse(path, "its table of functions has " + std::to_string(api->struct_size) + " bytes, this program needs " +
+                     std::to_string(needed_size));
   }
   if (api->abi_major != CGW_ABI_MAJOR) {
     refuse(path, "it has ABI " + std::to_string(api->abi_major) + "." + std::to_string(api->abi_minor) +
@@ -65,6 +70,8 @@ std::shared_ptr<const Plugin> Plugin::load(const std::filesystem::path& path) {
   check_abi(path, api);
   return std::shared_ptr<const Plugin>(new Plugin(path, std::move(library), api));
 }
+
+bool Plugin::has_slide_fit() const { return api_->struct_size >= needed_size + sizeof(api_->slide_fit); }
 
 std::string Plugin::version() const { return text_or_empty(api_->version); }
 

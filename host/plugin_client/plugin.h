@@ -28,7 +28,9 @@ class Plugin {
   // Opens `path`, looks up the entry point and checks the ABI. Throws PluginLoadError.
   static std::shared_ptr<const Plugin> load(const std::filesystem::path& path);
 
+  // What a plug-in of an earlier minor version than 1.3 does not have is not there: see has_slide_fit.
   const cgw_api& api() const { return *api_; }
+  bool has_slide_fit() const;  // since 1.3
   const std::filesystem::path& path() const { return path_; }
   std::string version() const;
   // Of a call or a slide: "ok", "unsolved", "slides_touch" ...

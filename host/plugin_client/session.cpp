@@ -10,30 +10,6 @@ namespace {
 
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
-void copy(const Point3& from, double (&to)[3]) { std::copy(from.begin(), from.end(), to); }
-
-// Borrows the slide's name and stroke.
-cgw_slide_input to_input(const Slide& slide) {
-  cgw_slide_input input = CGW_SLIDE_INPUT_INIT;
-  input.name = slide.name.c_str();
-  if (const auto* stroke = std::get_if<Slide::Stroke>(&slide.shape)) {
-    static_assert(sizeof(Point3) == 3 * sizeof(double));
-    input.kind = CGW_SLIDE_STROKE;
-    input.stroke = stroke->points.empty() ? nullptr : stroke->points.front().data();
-    input.stroke_count = stroke->points.size();
-  } else if (const auto* plane = std::get_if<Slide::PointNormal>(&slide.shape)) {
-    input.kind = CGW_SLIDE_POINT_NORMAL;
-    copy(plane->point, input.point);
-    copy(plane->normal, input.normal);
-  } else if (const auto* ellipse = std::get_if<Slide::Ellipse>(&slide.shape)) {
-    input.kind = CGW_SLIDE_ELLIPSE;
-    copy(ellipse->center, input.point);
-    copy(ellipse->u, input.u);
-    copy(ellipse->v, input.v);
-  }
-  return input;
-}
-
 }  // namespace
 
 Session::Session(std::shared_ptr<const Plugin> plugin, SessionListener listener)
@@ -72,33 +48,20 @@ void Session::set_parameter(const std::string& id, const std::string& text) {
   check(api().set_parameter_text(session_, id.c_str(), text.c_str()), "set_parameter_text");
 }
 
+void Session::set_parameter(const std::string& id, double value) {
+  check(api().set_parameter(session_, id.c_str(), value), "set_parameter");
+}
+
 double Session::parameter(const std::string& id) const {
   double value = 0;
   check(api().get_parameter(session_, id.c_str(), &value), "get_parameter");
   return value;
 }
 
-std::uint64_t Session::add_slide(const Slide& slide) {
-  const cgw_slide_input input = to_input(slide);
-  std::uint64_t id = CGW_NO_ID;
-  check(api().slide_add(session_, &input, &id), "slide_add");
-  return id;
-}
-
-std::vector<SlideInfo> Session::slides() const {
-  std::vector<SlideInfo> slides(api().slide_count(session_));
-  for (std::size_t i = 0; i < slides.size(); ++i) {
-    SlideInfo& slide = slides[i];
-    check(api().slide_info(session_, i, &slide.info), "slide_info");
-    if (const char* name = std::exchange(slide.info.name, nullptr)) slide.name = name;
-    if (const char* message = std::exchange(slide.info.message, nullptr)) slide.message = message;
-  }
-  return slides;
-}
-
-void Session::solve(std::uint32_t threads) {
+void Session::solve(std::uint32_t threads, bool editing) {
   cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
   options.threads = threads;
+  options.editing = editing ? 1 : 0;
   check(api().solve(session_, &options), "solve");
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/file/slides_file.h"
@@ -39,18 +40,33 @@ class Session {
   void set_mesh(const TriangleMesh& mesh);
   cgw_mesh_report mesh_report() const;
   void set_parameter(const std::string& id, const std::string& text);
+  void set_parameter(const std::string& id, double value);
   double parameter(const std::string& id) const;
+  // Slides, in the order in which they were added. Ids are the plug-in's, never given twice.
   std::uint64_t add_slide(const Slide& slide);
+  void change_slide(std::uint64_t id, const Slide& slide);  // id and place in the order stay
+  void remove_slide(std::uint64_t id);
+  // Makes the session's slides those given, in their order, and returns their ids. Slides keep their ids, and what the
+  // plug-in found for them, up to the first place where one comes in between or the order differs; a slide that has
+  // another shape, or another name in the same place, is changed. Where one is refused, the slides are as before (but
+  // some may have new ids), and info().slide of the error is its id only where it has one.
+  std::vector<std::uint64_t> set_slides(const std::vector<Slide>& slides);
+  std::size_t slide_count() const { return slides_.size(); }
+  // Ellipses and, of the last solve, which slides it blames and why: of slides that touch, both.
   std::vector<SlideInfo> slides() const;
+  // The ellipse that a slide would have on the mesh, without adding it. Its name may be empty. Throws PluginError
+  // (CGW_ERROR_INVALID_ARGUMENT) where the plug-in is older than ABI 1.3, too.
+  Slide::Ellipse fit(const Slide& slide) const;
 
-  // threads: 0 for as many as the machine has.
-  void solve(std::uint32_t threads);
+  // threads: 0 for as many as the machine has. editing: while something is dragged; fewer iterations, no tightening.
+  void solve(std::uint32_t threads, bool editing = false);
 
   // Results. Figures that the plug-in did not write are NaN.
   TriangleMesh cage() const;
   // Of each vertex of the cage: the row of sections() that it is a corner of, or -1.
   std::vector<int> vertex_sections() const;
-  std::vector<cgw_section> sections() const;
+  std::vector<cgw_section> sections() const;  // one a slide, in the order of the slides at the time of the solve
+  std::vector<Point3> loop(std::size_t index) const;  // of section `index`: where its slide cuts the model; closed
   std::uint64_t part_count() const;
   cgw_summary summary() const;
   Certificate certificate() const;
@@ -66,12 +82,15 @@ class Session {
   void check(cgw_status status, const char* call) const { plugin_->check(status, session_, call); }
   const cgw_api& api() const { return plugin_->api(); }
 
+  void follow(const std::vector<Slide>& slides);  // set_slides without its promise for failures
+
   static void log(void* user, std::int32_t level, const char* message);
   static std::int32_t progress(void* user, double fraction, const char* stage);
 
   std::shared_ptr<const Plugin> plugin_;
   SessionListener listener_;
   cgw_session* session_ = nullptr;
+  std::vector<std::pair<std::uint64_t, Slide>> slides_;  // as the plug-in has them, by id
 };
 
 }  // namespace cagewright::host

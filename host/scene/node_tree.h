@@ -36,8 +36,10 @@ class NodeTree {
   // For a node that has lost it: the mesh node of that name, where one alone has it; else the one whose mesh has that
   // name, as Blender calls nodes of skinned meshes; else the only one.
   std::optional<int> mesh_node_for(const std::string& name, const std::string& mesh_name) const;
-  // From the scene to the mesh of a node: the bind pose of a skinned one, as glTF does not look at its node. Empty
-  // where there is no inverse. Throws FileError where the skin's matrices cannot be read.
+  // From the mesh of a node to the scene: the bind pose of a skinned one, as glTF does not look at its node. Throws
+  // FileError where the skin's matrices cannot be read.
+  Eigen::Affine3d shown(int mesh_node) const;
+  // Its inverse. Empty where there is none. Throws as above.
   std::optional<Eigen::Affine3d> from_scene(int mesh_node) const;
   // From the mesh, as the scene shows it, to the mesh node: the identity but for skins whose bind pose is elsewhere.
   // Empty and throws as above.
@@ -59,7 +61,6 @@ class NodeTree {
   void find_skins(const GltfJson& json);
 
   Eigen::Affine3d first_matrix(int accessor) const;
-  Eigen::Affine3d shown(int mesh_node) const;
 
   struct Skin {
     int first_joint = -1, inverse_bind_matrices = -1;

@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "host/file/file_bytes.h"
@@ -15,6 +16,8 @@
 #include "host/file/gltf_uri.h"
 #include "host/file/mesh_writer.h"
 #include "host/scene/base64.h"
+#include "host/scene/node_tree.h"
+#include "host/scene/outline.h"
 #include "host/scene/own_extension.h"
 #include "host/scene/scene_parts.h"
 
@@ -31,7 +34,8 @@ struct SceneDocument::State {
   std::vector<std::string> notes;
   std::vector<SceneMeshNode> mesh_nodes;
   std::vector<std::weak_ptr<Listener>> listeners;
-  SlideIds ids;  // that any slide has had, or a cage names
+  std::map<int, std::vector<std::pair<std::string, double>>> parameters;  // by mesh node
+  SlideIds ids;                                                           // that any slide has had, or a cage names
 
   int indent() const { return !container.is_binary && container.json.find('\n') != std::string_view::npos ? 2 : -1; }
   std::string text() const { return gltf_json_text(put_together(path, base, content), indent()); }
@@ -53,11 +57,7 @@ std::vector<SceneMeshNode> mesh_nodes_of(const tinygltf::Model& model) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const tinygltf::Node& node = model.nodes[i];
     if (!shows_model(node)) continue;
-    std::string name = node.name;
-    if (name.empty() && static_cast<std::size_t>(node.mesh) < model.meshes.size()) {
-      name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
-    }
-    nodes.push_back({static_cast<int>(i), std::move(name)});
+    nodes.push_back({static_cast<int>(i), shown_name(model, node)});
   }
   return nodes;
 }
@@ -81,6 +81,7 @@ SceneDocument::SceneDocument(const std::filesystem::path& path, std::string byte
   s.notes = std::move(parts.notes);
   s.mesh_nodes = mesh_nodes_of(s.model);
   s.ids = ids_in(s.content);
+  for (const SceneCage& cage : s.content.cages) s.parameters[cage.mesh_node] = cage.parameters;
   s.text_as_read = s.text();
 }
 
@@ -142,6 +143,26 @@ const std::vector<SceneSlide>& SceneDocument::slides() const { return state_->co
 const std::vector<SceneCage>& SceneDocument::cages() const { return state_->content.cages; }
 const std::vector<SceneStray>& SceneDocument::strays() const { return state_->content.strays; }
 
+std::vector<SceneNode> SceneDocument::nodes() const { return outline(path(), state_->model, state_->content); }
+
+std::array<double, 16> SceneDocument::to_scene(int node) const {
+  const State& s = *state_;
+  if (node < 0 || static_cast<std::size_t>(node) >= s.model.nodes.size()) {
+    throw FileError(path(), {}, "there is no node " + std::to_string(node));
+  }
+  const NodeTree tree(s.path, s.base.json, s.model);
+  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = tree.shown(node).matrix();
+  std::array<double, 16> matrix{};
+  std::copy(rows.data(), rows.data() + rows.size(), matrix.begin());
+  return matrix;
+}
+
+const std::vector<std::pair<std::string, double>>& SceneDocument::parameters(int mesh_node) const {
+  static const std::vector<std::pair<std::string, double>> none;
+  const auto found = state_->parameters.find(mesh_node);
+  return found == state_->parameters.end() ? none : found->second;
+}
+
 MeshFile SceneDocument::mesh(int node) const {
   const tinygltf::Model& model = state_->model;
   const bool is_there = node >= 0 && static_cast<std::size_t>(node) < model.nodes.size();
@@ -202,6 +223,11 @@ void SceneDocument::set_cage(int mesh_node, const SceneCage* cage) {
     cages.insert(after, *cage);
   }
   tell({cage ? SceneEvent::Kind::cage_set : SceneEvent::Kind::cage_removed, 0, mesh_node});
+}
+
+void SceneDocument::set_parameters(int mesh_node, std::vector<std::pair<std::string, double>> parameters) {
+  state_->parameters[mesh_node] = std::move(parameters);
+  tell({SceneEvent::Kind::parameters_set, 0, mesh_node});
 }
 
 void SceneDocument::insert_stray(std::size_t row, SceneStray stray) {

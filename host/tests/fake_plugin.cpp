@@ -3,6 +3,7 @@
 // A plug-in for tests of the host alone: its cage is the model's bounding box, and it misbehaves on demand. What it is
 // to do stands in the environment variable CAGEWRIGHT_FAKE, words separated by commas:
 //   null_table, small_table, other_major, gaps   what cgw_get_api_v1 answers
+//   older                 it has ABI 1.2
 //   open_cage             the box lacks a triangle
 //   short_summary         writes only as much of cgw_summary as an older plug-in knew
 //   no_sentence           errors have no sentence
@@ -16,6 +17,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -344,6 +346,13 @@ void evaluation_destroy(cgw_evaluation* evaluation) { delete evaluation; }
 cgw_status evaluation_certificate(const cgw_evaluation*, cgw_certificate* out) { return fill_certificate(out); }
 cgw_status evaluation_measures(const cgw_evaluation*, cgw_measures* out) { return fill_measures(out); }
 
+cgw_status slide_fit(const cgw_session*, const cgw_slide_input*, cgw_slide_info* out) {
+  out->has_ellipse = 1;
+  out->u[0] = 2;
+  out->v[1] = out->normal[2] = 1;
+  return CGW_OK;
+}
+
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const cgw_api* cgw_get_api_v1(uint32_t) {
@@ -386,9 +395,13 @@ extern "C" __attribute__((visibility("default"))) const cgw_api* cgw_get_api_v1(
                         evaluation_create,
                         evaluation_destroy,
                         evaluation_certificate,
-                        evaluation_measures};
+                        evaluation_measures,
+                        slide_fit};
   if (asked("null_table")) return nullptr;
-  api.struct_size = asked("small_table") ? sizeof(cgw_api) - sizeof(void*) : sizeof(cgw_api);
+  constexpr std::size_t size_of_1_2 = offsetof(cgw_api, slide_fit);
+  api.struct_size = asked("small_table") ? size_of_1_2 - sizeof(void*) : asked("older") ? size_of_1_2 : sizeof(cgw_api);
+  api.abi_minor = asked("older") ? 2 : CGW_ABI_MINOR;
+  api.slide_fit = asked("older") ? nullptr : slide_fit;
   api.abi_major = asked("other_major") ? 2 : CGW_ABI_MAJOR;
   api.load_state = asked("gaps") ? nullptr : load_state;
   return &api;

@@ -55,11 +55,28 @@ TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
   expect_load_error("/lib/x86_64-linux-gnu/libm.so.6", {"no plug-in", CGW_ENTRY_POINT});
   const std::string other_major = "has ABI 2." + std::to_string(CGW_ABI_MINOR);
   for (const auto& [what, reason] :
-       {std::pair{"null_table", "does not serve ABI 1.2"}, std::pair{"small_table", "bytes"},
+       {std::pair{"null_table", "does not serve ABI 1.3"}, std::pair{"small_table", "bytes"},
         std::pair{"other_major", other_major.c_str()}, std::pair{"gaps", "has gaps"}}) {
     const Environment environment("CAGEWRIGHT_FAKE", what);
     expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});
     EXPECT_FALSE(is_loaded()) << what;
+  }
+}
+
+TEST(Plugin, OfAnEarlierVersionServesForAllButWhatItDoesNotHave) {
+  const Environment environment("CAGEWRIGHT_FAKE", "older");
+  Session session(fake(), {});
+  session.set_mesh(unit_cube());
+  session.add_slide({"a", Slide::PointNormal{}});
+  session.solve(1);
+  try {
+    session.fit({"a", Slide::PointNormal{}});
+    ADD_FAILURE();
+  } catch (const PluginError& error) {
+    EXPECT_EQ(error.status(), CGW_ERROR_INVALID_ARGUMENT);
+    const std::string sentence = error.what();
+    for (const char* part : {FAKE_PLUGIN, "has ABI 1.2", "needs 1.3", "newer plug-in"})
+      EXPECT_NE(sentence.find(part), std::string::npos) << part << " in " << sentence;
   }
 }
 

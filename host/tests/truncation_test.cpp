@@ -93,6 +93,7 @@ TEST(Truncation, OfObjGivesAnErrorOrTheFirstTriangles) {
 TEST(Truncation, OfSlidesIsAlwaysNoticed) {
   const std::string text = slides_text("a.json", {{"a", Slide::Stroke{{{1, 2, 3}, {4, 5, 6}}}},
                                                   {"b", Slide::PointNormal{{1, 2, 3}, {0, 0, 1}}},
+                                                  {"p", Slide::Point{{1, 2, 3}}},
                                                   {"c", Slide::Ellipse{{1, 2, 3}, {1, 0, 0}, {0, 1, 0}}}});
   for (std::size_t length = 0; length + 1 < text.size(); ++length) {
     EXPECT_THROW(parse_slides("a.json", text.substr(0, length)), FileError) << length;

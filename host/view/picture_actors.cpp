@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/view/picture_actors.h"
 
-#include <vtkCellArray.h>
 #include <vtkExtractEdges.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
@@ -12,9 +10,7 @@
 #include <vtkTrivialProducer.h>
 #include <vtkTubeFilter.h>
 
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace cagewright::host {
 namespace {
@@ -34,34 +30,8 @@ constexpr double kCageRadius = 0.9;
 constexpr double kSlideRadius = 1.5;
 constexpr double kSectionRadius = 1.7;
 
-vtkSmartPointer<vtkPolyData> surface(std::span<const double> points, std::span<const std::uint32_t> triangles) {
-  const vtkNew<vtkPoints> rows;
-  rows->SetDataTypeToDouble();
-  rows->SetNumberOfPoints(static_cast<vtkIdType>(points.size() / 3));
-  for (std::size_t i = 0; i < points.size() / 3; ++i) {
-    rows->SetPoint(static_cast<vtkIdType>(i), &points[3 * i]);
-  }
-  const vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(static_cast<vtkIdType>(triangles.size() / 3), static_cast<vtkIdType>(triangles.size()));
-  for (std::size_t i = 0; i < triangles.size(); i += 3) {
-    const std::array<vtkIdType, 3> corners{triangles[i], triangles[i + 1], triangles[i + 2]};
-    cells->InsertNextCell(3, corners.data());
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(rows);
-  mesh->SetPolys(cells);
-  return mesh;
-}
-
 std::vector<Point> ellipse(const SlideMark& slide) {
-  std::vector<Point> points(kEllipseSegments);
-  for (int i = 0; i < kEllipseSegments; ++i) {
-    const double t = 2 * std::numbers::pi * i / kEllipseSegments;
-    for (std::size_t k = 0; k < 3; ++k) {
-      points[static_cast<std::size_t>(i)][k] = slide.center[k] + std::cos(t) * slide.u[k] + std::sin(t) * slide.v[k];
-    }
-  }
-  return points;
+  return ellipse_points(slide.center, slide.u, slide.v, kEllipseSegments);
 }
 
 std::vector<Point> rectangle(const std::array<double, 12>& corners) {
@@ -70,24 +40,6 @@ std::vector<Point> rectangle(const std::array<double, 12>& corners) {
     points[i / 3][i % 3] = corners[i];
   }
   return points;
-}
-
-vtkSmartPointer<vtkPolyData> closed_lines(const std::vector<std::vector<Point>>& loops) {
-  const vtkNew<vtkPoints> rows;
-  rows->SetDataTypeToDouble();
-  const vtkNew<vtkCellArray> cells;
-  for (const auto& loop : loops) {
-    const vtkIdType first = rows->GetNumberOfPoints();
-    cells->InsertNextCell(static_cast<int>(loop.size()) + 1);
-    for (const Point& point : loop) {
-      cells->InsertCellPoint(rows->InsertNextPoint(point.data()));
-    }
-    cells->InsertCellPoint(first);
-  }
-  auto lines = vtkSmartPointer<vtkPolyData>::New();
-  lines->SetPoints(rows);
-  lines->SetLines(cells);
-  return lines;
 }
 
 vtkSmartPointer<vtkActor> actor_of(vtkAlgorithm& source, const Point& color) {
@@ -115,13 +67,13 @@ vtkSmartPointer<vtkActor> tubes(vtkAlgorithm& lines, double radius, const Point&
 
 vtkSmartPointer<vtkActor> loop_actor(const std::vector<std::vector<Point>>& loops, double radius, const Point& color) {
   const vtkNew<vtkTrivialProducer> lines;
-  lines->SetOutput(closed_lines(loops));
+  lines->SetOutput(line_polydata(loops, true));
   return tubes(*lines, radius, color);
 }
 
 vtkSmartPointer<vtkActor> model_actor(const PictureInput& input) {
   const vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface(input.model_points, input.model_triangles));
+  normals->SetInputData(triangle_polydata(input.model_points, input.model_triangles));
   normals->SetFeatureAngle(kCreaseAngle);
   normals->ConsistencyOff();
   auto actor = actor_of(*normals, kModelGrey);
@@ -132,7 +84,7 @@ vtkSmartPointer<vtkActor> model_actor(const PictureInput& input) {
 }
 
 void add_cage(const PictureInput& input, double pixel, std::vector<vtkSmartPointer<vtkActor>>& actors) {
-  const auto mesh = surface(input.cage_points, input.cage_triangles);
+  const auto mesh = triangle_polydata(input.cage_points, input.cage_triangles);
   const vtkNew<vtkExtractEdges> edges;
   edges->SetInputData(mesh);
   actors.push_back(tubes(*edges, kCageRadius * pixel, kCageBlue));

@@ -5,14 +5,12 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
-#include <array>
 #include <vector>
 
 #include "host/view/picture.h"
+#include "host/view/polydata.h"
 
 namespace cagewright::host {
-
-using Point = std::array<double, 3>;
 
 // Every point that the picture has to hold: the model's and the cage's vertices, the slides' and sections' outlines.
 std::vector<Point> outline_points(const PictureInput& input);

@@ -6,10 +6,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "host/file/report_file.h"
 #include "host/file/slides_file.h"
 #include "host/file/triangle_mesh.h"
 #include "host/plugin_client/certificate.h"
@@ -31,12 +33,14 @@ struct CageState {
   std::vector<int> vertex_sections;  // of each vertex: row of `sections`, or -1
   std::vector<std::array<Point3, 4>> sections;
   std::vector<std::int64_t> section_slides;  // of each section: the slide's id; -1: one that was only shown (a preview)
+  std::vector<bool> sections_merged;         // of each section: corners of it are gone where limbs were merged
   TriangleMesh cut_model;                    // and its parts: for colours; empty while editing
   std::vector<int> cut_model_parts;          // of each of its triangles
   std::optional<Certificate> certificate;    // where the whole road was gone
   std::optional<Measures> measures;
   cgw_summary summary = CGW_SUMMARY_INIT;
-  std::vector<double> max_signed_distances;  // of each refinement step, over the diagonal
+  std::vector<double> max_signed_distances;  // before each refinement step and, last, of the cage; over the diagonal
+  std::shared_ptr<const Report> report;      // of the whole, without "model" and memory; null while editing
   double milliseconds = 0;                   // of the solve
   bool is_of_editing = false;                // few steps, no certificate: the mouse is still down
   bool is_of_now = false;                    // made from the slides and parameters as they are now

@@ -29,8 +29,11 @@ class ScriptRunner {
   explicit ScriptRunner(Workspace& workspace, ViewCommand view = {});
 
   // Returns what the command has to say: {} or, of report, copy ..., an object. Throws ScriptError, CommandError,
-  // FileError, PluginError, PluginLoadError, PictureError; then nothing has changed.
+  // FileError, PluginError, PluginLoadError, PictureError, Cancelled; then nothing has changed.
   nlohmann::json run(const nlohmann::json& command);
+
+  // Asked while a command works for long (validate); where it answers true the command throws Cancelled. May be empty.
+  void interrupt_where(std::function<bool()> is_interrupted);
 
   // Called with every command that was run, so that it can be recorded. May be empty.
   void record(std::function<void(const nlohmann::json& command)> recorder);
@@ -46,6 +49,8 @@ class ScriptRunner {
   Workspace& workspace_;
   ViewCommand view_;
   std::function<void(const nlohmann::json&)> recorder_;
+  std::function<bool()> is_interrupted_;
+  std::string clipboard_;  // of copy_slides, for paste_slides without slides
 };
 
 }  // namespace cagewright::host

@@ -55,9 +55,13 @@ class Workspace {
   // Any model or scene; a model becomes a new scene, not saved yet, whose path is the model's with .glb. The first mesh
   // node with slides, else the first, is chosen. On failure everything stays.
   void open(const std::filesystem::path& path);
+  // What save_copy has left of a scene: opened as that scene, with changes that are not saved. Throws FileError.
+  void recover(const std::filesystem::path& copy, const std::filesystem::path& scene);
   void close();
-  // As .glb or .gltf, with the cage as it is now; waits for the cage. Path and format become the document's; atomic.
+  // As .glb or .gltf, with the cages as they are now; waits for them (Cancelled where interrupt_solve was called), but
+  // after cancel_solve takes the last good ones. Path and format become the scene's; atomic.
   void save(const std::filesystem::path& path);
+  bool has_to_wait_to_save() const;  // whether save would have to wait for a cage
   // The same without any change of this workspace: for autosave. Does not wait; the last good cage.
   void save_copy(const std::filesystem::path& path) const;
   // The cage alone: .obj .off .ply .stl .glb .gltf. Throws CommandError where there is none.
@@ -71,7 +75,9 @@ class Workspace {
   // ---- the mesh to cage
   int mesh_node() const;  // -1: none
   void choose_mesh(int node);
-  const TriangleMesh& mesh() const;               // in its node's space; precondition: mesh_node() >= 0
+  const TriangleMesh& mesh() const;  // in its node's space; precondition: mesh_node() >= 0
+  // Of any mesh node; read once. Null where it cannot be read (notes() has the sentence where it was tried at open).
+  std::shared_ptr<const TriangleMesh> mesh_of(int node) const;
   std::vector<const SceneSlide*> slides() const;  // of that mesh node, in the document's order
   const SceneSlide* find_slide(const std::string& name) const;
 
@@ -84,12 +90,13 @@ class Workspace {
   void change_slides(const std::vector<std::pair<std::int64_t, Slide::Ellipse>>& slides, const std::string& label);
   void rename_slide(std::int64_t id, const std::string& name);
   void remove_slides(const std::vector<std::int64_t>& ids);
+  // Slides that are new, here and below and above, are selected.
   std::vector<std::int64_t> duplicate_slides(const std::vector<std::int64_t>& ids);  // moved a little along normals
   // Copies on the other side of the plane x, y or z (axis 0, 1, 2) = `at` in the mesh's space; empty: the middle of
   // its box.
   std::vector<std::int64_t> mirror_slides(const std::vector<std::int64_t>& ids, int axis, std::optional<double> at);
   void snap_slides(const std::vector<std::int64_t>& ids);  // the ellipse becomes that of the loop in its plane
-  std::string copy_slides(const std::vector<std::int64_t>& ids) const;  // as the text of a slides file
+  std::string copy_slides(const std::vector<std::int64_t>& ids) const;  // as the text of a slides file: ellipses
   std::vector<std::int64_t> paste_slides(const std::string& text);      // of one; throws FileError where it is none
   // What one of the above would fit; for previews. Throws as they do.
   Slide::Ellipse fit(const Slide& slide) const;
@@ -105,10 +112,10 @@ class Workspace {
   void set_parameter(const std::string& id, double value);
   void reset_parameters();
 
-  // ---- undo
+  // ---- undo; the mesh whose slides or parameters change is then the chosen one
   void undo();
   void redo();
-  const CommandStack& stack() const;
+  const CommandStack& stack() const;  // precondition: has_scene()
 
   // ---- selection: ids of slides
   void select(std::vector<std::int64_t> ids);
@@ -120,6 +127,9 @@ class Workspace {
   void cancel_solve();  // the cage is not followed until the next change or solve()
   void solve();         // asks for it again
   void wait_for_cage();
+  // Cancels what the solver does now, as cancel_solve does; the one function that any thread may call, so `wake` too
+  // (but not while the plug-in is changed).
+  void interrupt_solve();
   void poll();  // takes what the solver has; on the main thread after `wake`
 
   // ---- plug-in

@@ -126,6 +126,10 @@ cgw_status slide_info(const cgw_session* session, std::uint64_t index, cgw_slide
   return guard_session(session, [&](const cgw_session& s) { read_slide(s, index, out); });
 }
 
+cgw_status slide_fit(const cgw_session* session, const cgw_slide_input* input, cgw_slide_info* out) {
+  return guard_session(session, [&](const cgw_session& s) { fit_slide(s, input, out); });
+}
+
 cgw_status solve(cgw_session* session, const cgw_solve_options* options) {
   return guard_session(session, [&](cgw_session& s) { cagewright::plugin::solve(s, options); });
 }
@@ -252,6 +256,7 @@ constexpr cgw_api api = {
     .evaluation_destroy = evaluation_destroy,
     .evaluation_certificate = evaluation_certificate,
     .evaluation_measures = evaluation_measures,
+    .slide_fit = slide_fit,
 };
 
 }  // namespace

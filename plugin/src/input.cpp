@@ -60,9 +60,8 @@ std::size_t utf8_length(const unsigned char* text) {
   return overlong || no_character ? 0 : length;
 }
 
+// Precondition: not NULL.
 std::string to_name(const char* name) {
-  if (!name) refuse("the name of a slide is NULL; give it one that no other slide has");
-  if (*name == '\0') throw AbiError(CGW_ERROR_SLIDE_NAME, "the name of a slide is empty; give it one");
   for (const auto* at = reinterpret_cast<const unsigned char*>(name); *at != 0;) {
     const std::size_t length = utf8_length(at);
     if (length == 0) {
@@ -72,6 +71,10 @@ std::string to_name(const char* name) {
     at += length;
   }
   return name;
+}
+
+cgw_slide_input read_input(const cgw_slide_input* given) {
+  return read_struct<cgw_slide_input>(given, CGW_SLIDE_INPUT_INIT, "cgw_slide_input");
 }
 
 Vector3 to_vector(const double (&xyz)[3]) { return {xyz[0], xyz[1], xyz[2]}; }
@@ -85,8 +88,10 @@ SlideDefinition to_definition(const cgw_slide_input& input, const std::string& n
       return PointNormalDefinition{to_vector(input.point), to_vector(input.normal)};
     case CGW_SLIDE_ELLIPSE:
       return EllipseDefinition{to_vector(input.point), to_vector(input.u), to_vector(input.v)};
+    case CGW_SLIDE_POINT:
+      return PointDefinition{to_vector(input.point)};
     default:
-      refuse("slide '" + name + "': kind " + std::to_string(input.kind) + " is none of CGW_SLIDE_*");
+      refuse(slide_text(name) + ": kind " + std::to_string(input.kind) + " is none of CGW_SLIDE_*");
   }
 }
 
@@ -100,8 +105,15 @@ IndexedMesh to_mesh(const cgw_mesh* given) {
 }
 
 Slide to_slide(const cgw_slide_input* given) {
-  const cgw_slide_input input = read_struct<cgw_slide_input>(given, CGW_SLIDE_INPUT_INIT, "cgw_slide_input");
-  std::string name = to_name(input.name);
+  const cgw_slide_input input = read_input(given);
+  if (!input.name) refuse("the name of a slide is NULL; give it one that no other slide has");
+  if (*input.name == '\0') throw AbiError(CGW_ERROR_SLIDE_NAME, "the name of a slide is empty; give it one");
+  return to_slide_or_nameless(given);
+}
+
+Slide to_slide_or_nameless(const cgw_slide_input* given) {
+  const cgw_slide_input input = read_input(given);
+  std::string name = to_name(input.name ? input.name : "");
   SlideDefinition definition = to_definition(input, name);
   return {std::move(name), std::move(definition)};
 }

@@ -15,5 +15,7 @@ IndexedMesh to_mesh(const cgw_mesh* given);
 // The name is checked to be neither empty nor anything but UTF-8; the geometry is not looked at.
 // Throws AbiError: INVALID_ARGUMENT (NULL, struct_size, unknown kind), SLIDE_NAME. O(n).
 Slide to_slide(const cgw_slide_input* given);
+// The same, but NULL and "" are names, too.
+Slide to_slide_or_nameless(const cgw_slide_input* given);
 
 }  // namespace cagewright::plugin

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/slide/plane_loops.h"
 #include "plugin/src/abi_struct.h"
 #include "plugin/src/input.h"
 
@@ -52,7 +53,16 @@ void log_report(const cgw_host& host, const MeshReport& report) {
 std::int32_t kind_of(const SlideDefinition& definition) {
   if (std::holds_alternative<StrokeDefinition>(definition)) return CGW_SLIDE_STROKE;
   if (std::holds_alternative<PointNormalDefinition>(definition)) return CGW_SLIDE_POINT_NORMAL;
+  if (std::holds_alternative<PointDefinition>(definition)) return CGW_SLIDE_POINT;
   return CGW_SLIDE_ELLIPSE;
+}
+
+void copy_ellipse(const Ellipse& ellipse, cgw_slide_info& info) {
+  info.has_ellipse = 1;
+  std::copy_n(ellipse.center.data(), 3, info.center);
+  std::copy_n(ellipse.normal.data(), 3, info.normal);
+  std::copy_n(ellipse.u.data(), 3, info.u);
+  std::copy_n(ellipse.v.data(), 3, info.v);
 }
 
 }  // namespace
@@ -117,13 +127,19 @@ void read_slide(const cgw_session& session, std::uint64_t index, cgw_slide_info*
   info.name = entry.slide.name.c_str();
   info.status = entry.status;
   info.message = entry.message.c_str();
-  if (entry.ellipse) {
-    info.has_ellipse = 1;
-    std::copy_n(entry.ellipse->center.data(), 3, info.center);
-    std::copy_n(entry.ellipse->normal.data(), 3, info.normal);
-    std::copy_n(entry.ellipse->u.data(), 3, info.u);
-    std::copy_n(entry.ellipse->v.data(), 3, info.v);
-  }
+  if (entry.ellipse) copy_ellipse(*entry.ellipse, info);
+  write_struct(out, info, "cgw_slide_info");
+}
+
+void fit_slide(const cgw_session& session, const cgw_slide_input* input, cgw_slide_info* out) {
+  common_size(out, "cgw_slide_info");
+  const Slide slide = to_slide_or_nameless(input);
+  const SlideOnModel placed = place_slide(model_of(session).mesh, slide, 0);
+  cgw_slide_info info = CGW_SLIDE_INFO_INIT;
+  info.kind = kind_of(slide.definition);
+  info.id = CGW_NO_ID;
+  info.name = info.message = "";
+  copy_ellipse(placed.ellipse, info);
   write_struct(out, info, "cgw_slide_info");
 }
 

@@ -62,4 +62,8 @@ const Model& model_of(const cgw_session& session);
 // The slide at `index` as the host sees it. Throws AbiError(INVALID_ARGUMENT).
 void read_slide(const cgw_session& session, std::uint64_t index, cgw_slide_info* out);
 
+// What ellipse the slide would have on the session's model. Throws AbiError: NOT_READY, INVALID_ARGUMENT; Error: those
+// of place_slide.
+void fit_slide(const cgw_session& session, const cgw_slide_input* input, cgw_slide_info* out);
+
 }  // namespace cagewright::plugin

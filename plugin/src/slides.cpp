@@ -5,12 +5,13 @@
 #include <new>
 
 #include "core/slide/fit_ellipse.h"
+#include "core/slide/plane_loops.h"
 
 namespace cagewright::plugin {
 
 namespace {
 
-// Empty for a point with a normal: its ellipse needs the model.
+// Empty for a point, with a normal or alone: its ellipse needs the model.
 std::optional<Ellipse> ellipse_without_model(const Slide& slide) {
   check_definition(slide);
   if (const auto* stroke = std::get_if<StrokeDefinition>(&slide.definition)) {
@@ -79,10 +80,14 @@ std::size_t SlideList::index_of(std::uint64_t id) const {
   throw AbiError(info, "there is no slide with the id " + std::to_string(id) + "; it was removed or never added");
 }
 
-std::vector<Slide> SlideList::definitions() const {
+std::vector<Slide> SlideList::on_model(const HalfEdgeMesh& mesh) {
   std::vector<Slide> slides;
   slides.reserve(entries_.size());
-  for (const auto& entry : entries_) slides.push_back(entry->slide);
+  for (const auto& entry : entries_) {
+    const bool is_point = std::holds_alternative<PointDefinition>(entry->slide.definition);
+    if (is_point && !entry->on_model) entry->on_model = with_plane(mesh, entry->slide, slides.size());
+    slides.push_back(is_point ? *entry->on_model : entry->slide);
+  }
   return slides;
 }
 
@@ -123,7 +128,11 @@ void SlideList::forget_model() noexcept {
   for (const auto& entry : entries_) {
     entry->status = CGW_SLIDE_UNSOLVED;
     entry->message.clear();
-    if (std::holds_alternative<PointNormalDefinition>(entry->slide.definition)) entry->ellipse.reset();
+    const SlideDefinition& definition = entry->slide.definition;
+    if (std::holds_alternative<PointNormalDefinition>(definition) ||
+        std::holds_alternative<PointDefinition>(definition))
+      entry->ellipse.reset();
+    entry->on_model.reset();
   }
 }
 

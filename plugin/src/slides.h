@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cagewright/cagewright.h"
+#include "core/mesh/half_edge_mesh.h"
 #include "core/slide/slide.h"
 #include "plugin/src/barrier.h"
 
@@ -17,7 +18,8 @@ namespace cagewright::plugin {
 struct SlideEntry {
   std::uint64_t id = 0;
   Slide slide;
-  std::optional<Ellipse> ellipse;          // strokes and ellipses: always; point and normal: after a solve
+  std::optional<Ellipse> ellipse;          // strokes and ellipses: always; by a point: after a solve
+  std::optional<Slide> on_model;           // of a point alone: with the plane that the session's model has there
   cgw_status status = CGW_SLIDE_UNSOLVED;  // as in cgw_slide_info
   std::string message;                     // "" or the sentence of the error that blames it
 };
@@ -38,7 +40,9 @@ class SlideList {
   std::size_t size() const { return entries_.size(); }
   // Its strings stay where they are until that slide is changed or removed. Precondition: index < size().
   const SlideEntry& at(std::size_t index) const { return *entries_[index]; }
-  std::vector<Slide> definitions() const;
+  // As they are to be cut: a point alone has its plane, which is found once for each model. Throws Error, of
+  // with_plane.
+  std::vector<Slide> on_model(const HalfEdgeMesh& mesh);
   std::vector<std::uint64_t> ids() const;
 
   // No id below this one is ever given to a new slide.

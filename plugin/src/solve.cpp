@@ -65,7 +65,8 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
   results->diagonal = model_of(session).diagonal;
   results->threads = options.refine.threads;
   try {
-    results->made = make_cage(model_of(session), session.slides.definitions(), options, progress_of(session.host));
+    results->made = make_cage(model_of(session), session.slides.on_model(model_of(session).mesh), options,
+                              progress_of(session.host));
   } catch (const Error& error) {
     const AbiError translated = to_abi_error(error, results->slide_ids);
     if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);

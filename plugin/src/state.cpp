@@ -60,6 +60,9 @@ void write_definition(ByteWriter& out, const SlideDefinition& definition) {
     out.number(std::uint32_t{CGW_SLIDE_POINT_NORMAL});
     vector(plane->point);
     vector(plane->normal);
+  } else if (const auto* click = std::get_if<PointDefinition>(&definition)) {
+    out.number(std::uint32_t{CGW_SLIDE_POINT});
+    vector(click->point);
   } else {
     const auto& ellipse = std::get<EllipseDefinition>(definition);
     out.number(std::uint32_t{CGW_SLIDE_ELLIPSE});
@@ -180,6 +183,7 @@ SlideDefinition read_definition(ByteReader& in) {
     const Vector3 center = vector(), u = vector(), v = vector();
     return EllipseDefinition{center, u, v};
   }
+  if (kind == CGW_SLIDE_POINT) return PointDefinition{vector()};
   from_newer("it has a slide of the kind " + std::to_string(kind));
 }
 

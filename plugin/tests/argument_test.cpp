@@ -41,6 +41,7 @@ TEST(AbiNull, SessionIsRefusedByEveryFunction) {
   EXPECT_REFUSED(a.slide_change(nullptr, 1, &input));
   EXPECT_REFUSED(a.slide_remove(nullptr, 1));
   EXPECT_REFUSED(a.slide_info(nullptr, 0, &slide));
+  EXPECT_REFUSED(a.slide_fit(nullptr, &input, &slide));
   EXPECT_REFUSED(a.solve(nullptr, nullptr));
   EXPECT_REFUSED(a.get_parts(nullptr, &parts));
   EXPECT_REFUSED(a.get_section(nullptr, 0, &section));
@@ -64,6 +65,7 @@ TEST(AbiNull, ArgumentIsRefusedByEveryFunctionAndNamed) {
   const Mesh mesh = capsule();
   const cgw_mesh view = mesh.view();
   const cgw_slide_input input = plane("a", 1);
+  cgw_slide_info slide = CGW_SLIDE_INFO_INIT;
   cgw_mesh_report report = CGW_MESH_REPORT_INIT;
   std::uint64_t id = 0;
   double value = 0;
@@ -85,6 +87,8 @@ TEST(AbiNull, ArgumentIsRefusedByEveryFunctionAndNamed) {
   EXPECT_REFUSED(a.slide_add(s, &input, nullptr));
   EXPECT_REFUSED(a.slide_change(s, solved.left, nullptr));
   EXPECT_REFUSED(a.slide_info(s, 0, nullptr));
+  EXPECT_REFUSED(a.slide_fit(s, nullptr, &slide));
+  EXPECT_REFUSED(a.slide_fit(s, &input, nullptr));
   EXPECT_REFUSED(a.get_parts(s, nullptr));
   EXPECT_REFUSED(a.get_section(s, 0, nullptr));
   EXPECT_REFUSED(a.get_loop(s, 0, nullptr));
@@ -233,10 +237,10 @@ TEST(AbiArgument, ThatIsNoneOfItsKindIsRefusedAndTold) {
   const SolvedCapsule solved;
   const Session& s = solved.session;
   cgw_slide_input input = plane("odd", 1);
-  input.kind = 3;
+  input.kind = 4;
   std::uint64_t id = 0;
   EXPECT_REFUSED(api().slide_add(s, &input, &id));
-  EXPECT_NE(s.error().find("'odd': kind 3"), std::string::npos) << s.error();
+  EXPECT_NE(s.error().find("'odd': kind 4"), std::string::npos) << s.error();
   input = plane("bad \xC3\x28 name", 1);
   EXPECT_REFUSED(api().slide_add(s, &input, &id));
   EXPECT_NE(s.error().find("UTF-8 from its byte 4"), std::string::npos) << s.error();

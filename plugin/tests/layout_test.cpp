@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What was released must not move: the numbers, and the layout of every struct of ABI 1.2 on 64-bit machines.
+// What was released must not move: the numbers, and the layout of every struct of ABI 1.3 on 64-bit machines.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using cagewright::plugin::test::api;
 
-static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 2);
+static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 3);
 static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 2);
 static_assert(CGW_ERROR_INTERNAL == -1 && CGW_ERROR_INVALID_ARGUMENT == -2 && CGW_ERROR_OUT_OF_MEMORY == -3);
 static_assert(CGW_ERROR_BUFFER_TOO_SMALL == -4 && CGW_ERROR_NOT_READY == -5 && CGW_ERROR_UNKNOWN_SLIDE == -6);
@@ -34,6 +34,7 @@ static_assert(CGW_ERROR_STATE_FINGERPRINT == -83);
 static_assert(CGW_LOG_DEBUG == 0 && CGW_LOG_INFO == 1 && CGW_LOG_WARNING == 2 && CGW_LOG_ERROR == 3);
 static_assert(CGW_PARAM_REAL == 0 && CGW_PARAM_INTEGER == 1 && CGW_PARAM_BOOLEAN == 2 && CGW_PARAM_CHOICE == 3);
 static_assert(CGW_SLIDE_STROKE == 0 && CGW_SLIDE_POINT_NORMAL == 1 && CGW_SLIDE_ELLIPSE == 2);
+static_assert(CGW_SLIDE_POINT == 3);
 static_assert(CGW_PART_ENCLOSED == 1);
 static_assert(CGW_STAGE_SEGMENT == 1 && CGW_STAGE_ORIENT == 2 && CGW_STAGE_MESHING == 3 && CGW_STAGE_REFINE == 4);
 static_assert(CGW_STAGE_ENCLOSE == 5);
@@ -240,7 +241,7 @@ AT(cgw_stream, reserved, 4);
 AT(cgw_stream, user, 8);
 AT(cgw_stream, read, 16);
 AT(cgw_stream, write, 24);
-SIZE(cgw_api, 304);
+SIZE(cgw_api, 312);
 AT(cgw_api, abi_major, 4);
 AT(cgw_api, abi_minor, 8);
 AT(cgw_api, parameter_count, 12);
@@ -280,11 +281,12 @@ AT(cgw_api, evaluation_create, 272);
 AT(cgw_api, evaluation_destroy, 280);
 AT(cgw_api, evaluation_certificate, 288);
 AT(cgw_api, evaluation_measures, 296);
+AT(cgw_api, slide_fit, 304);
 
 TEST(AbiTable, TellsItsSizeAndVersion) {
   EXPECT_EQ(api().struct_size, sizeof(cgw_api));
   EXPECT_EQ(api().abi_major, 1u);
-  EXPECT_EQ(api().abi_minor, 2u);
+  EXPECT_EQ(api().abi_minor, 3u);
   EXPECT_STREQ(api().version, CAGEWRIGHT_VERSION);
 }
 

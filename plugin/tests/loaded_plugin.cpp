@@ -120,6 +120,33 @@ cgw_slide_input ellipse(const char* name, double x, double radius) {
   return input;
 }
 
+cgw_slide_input point_alone(const char* name, double x) {
+  cgw_slide_input input = CGW_SLIDE_INPUT_INIT;
+  input.kind = CGW_SLIDE_POINT;
+  input.name = name;
+  input.point[0] = x;
+  input.point[1] = 1;
+  return input;
+}
+
+std::vector<double> stroke_points(double x, int count) {
+  std::vector<double> points;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * k / count;
+    points.insert(points.end(), {x, std::cos(angle), std::sin(angle)});
+  }
+  return points;
+}
+
+cgw_slide_input stroke(const char* name, const std::vector<double>& points) {
+  cgw_slide_input input = CGW_SLIDE_INPUT_INIT;
+  input.kind = CGW_SLIDE_STROKE;
+  input.name = name;
+  input.stroke = points.data();
+  input.stroke_count = points.size() / 3;
+  return input;
+}
+
 std::uint64_t add(const Session& session, const cgw_slide_input& input) {
   std::uint64_t id = CGW_NO_ID;
   EXPECT_EQ(api().slide_add(session, &input, &id), CGW_OK) << session.error();

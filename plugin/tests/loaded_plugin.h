@@ -46,6 +46,9 @@ class Session {
 
 cgw_slide_input plane(const char* name, double x, double nx = 1, double ny = 0, double nz = 0);
 cgw_slide_input ellipse(const char* name, double x, double radius);
+cgw_slide_input point_alone(const char* name, double x);  // on the capsule's side, which faces along y
+std::vector<double> stroke_points(double x, int count);   // on a circle of radius 1 round x
+cgw_slide_input stroke(const char* name, const std::vector<double>& points);  // borrows them
 std::uint64_t add(const Session& session, const cgw_slide_input& input);
 cgw_slide_info info(const Session& session, std::uint64_t index);
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,25 +11,6 @@
 namespace {
 
 using namespace cagewright::plugin::test;
-
-// A circle of radius 1 round the capsule at `x`, drawn with `count` points.
-std::vector<double> stroke_points(double x, int count) {
-  std::vector<double> points;
-  for (int k = 0; k < count; ++k) {
-    const double angle = 2 * std::numbers::pi * k / count;
-    points.insert(points.end(), {x, std::cos(angle), std::sin(angle)});
-  }
-  return points;
-}
-
-cgw_slide_input stroke(const char* name, const std::vector<double>& points) {
-  cgw_slide_input input = CGW_SLIDE_INPUT_INIT;
-  input.kind = CGW_SLIDE_STROKE;
-  input.name = name;
-  input.stroke = points.data();
-  input.stroke_count = points.size() / 3;
-  return input;
-}
 
 double norm(const double (&v)[3]) { return std::hypot(v[0], v[1], v[2]); }
 

@@ -88,6 +88,7 @@ struct Rich {
     add(session, stroke);
     add(session, plane("plane", 3.02, 1, 0.1));
     add(session, ellipse("ellipse", 5, 1));
+    add(session, point_alone("point", 4));
     EXPECT_EQ(api().slide_remove(session, 1), CGW_OK);
     EXPECT_EQ(api().set_parameter(session, "refine.delta", 0.125), CGW_OK);
     EXPECT_EQ(api().set_parameter_text(session, "refine.scope", "part"), CGW_OK);
@@ -100,8 +101,8 @@ TEST(AbiState, BringsBackSlidesWithTheirIdsAndParameters) {
   const Session other(capsule());
   add(other, plane("is replaced", 2));
   ASSERT_EQ(load(other, saved(rich.session)), CGW_OK) << other.error();
-  ASSERT_EQ(api().slide_count(other), 3u);
-  for (std::uint64_t k = 0; k < 3; ++k) {
+  ASSERT_EQ(api().slide_count(other), 4u);
+  for (std::uint64_t k = 0; k < 4; ++k) {
     EXPECT_EQ(info(other, k).id, info(rich.session, k).id);
     EXPECT_STREQ(info(other, k).name, info(rich.session, k).name);
     EXPECT_EQ(info(other, k).kind, info(rich.session, k).kind);
@@ -111,7 +112,7 @@ TEST(AbiState, BringsBackSlidesWithTheirIdsAndParameters) {
   EXPECT_EQ(api().get_parameter(other, "refine.delta", &value), CGW_OK);
   EXPECT_EQ(value, 0.125);
   EXPECT_EQ(saved(other), saved(rich.session));
-  EXPECT_EQ(add(other, plane("new", 2)), 5u) << "ids that the saved session gave are not given again";
+  EXPECT_EQ(add(other, plane("new", 2)), 6u) << "ids that the saved session gave are not given again";
 }
 
 TEST(AbiState, BringsBackTheSameCage) {

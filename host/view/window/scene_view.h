@@ -59,7 +59,9 @@ struct Hit {
   Point3 normal{};  // unit, of the model's triangle
 };
 
-// The actors of a window's scene in one renderer. No document logic: it shows what it is given. Main thread only (VTK).
+// The actors of a window's scene in one renderer, which gets its light, background and render pass from here. No
+// document logic: it shows what it is given. Renders nothing by itself. The renderer outlives it. Widths and sizes in
+// pixels grow with the window's DPI over 72. Main thread only (VTK).
 class SceneView {
  public:
   explicit SceneView(vtkRenderer& renderer);
@@ -69,19 +71,22 @@ class SceneView {
   // Colours of the active mesh: of the cut model's parts, or red where its vertices poke out. O(n).
   void set_parts(const TriangleMesh& cut_model, const std::vector<int>& triangle_parts);
   void set_outside(const std::vector<std::uint32_t>& vertices);
+  // Those with numbers that are not finite are left out. Only what has changed is uploaded: cheap at every mouse move.
   void set_slides(std::vector<ShownSlide> slides);
   void set_cage(const ShownCage* cage);                // null: none
   void set_stroke(const std::vector<Point3>& points);  // while it is drawn; empty: none
   void set_options(const ViewOptions& options);
   const ViewOptions& options() const;
 
-  // Where display coordinates (VTK's: pixels from the lower left) point to. `slides_first`: a slide within a few pixels
-  // wins over the model in front of it.
+  // Where display coordinates (VTK's: pixels from the lower left) point to, of what is shown: a slide within a few
+  // pixels, else the nearest model, else the cage. `slides_first`: the slide wins also over the model in front of it.
+  // Slides without an id (-1) are not found.
   Hit pick(double x, double y, bool slides_first) const;
-  // On the active mesh only; empty: it is missed. O(log n).
+  // On the active mesh only, also where it is switched off; empty: it is missed. O(log n), the first time O(n).
   std::optional<Hit> pick_model(double x, double y) const;
   Ray ray(double x, double y) const;                            // in the active mesh's space
   std::array<double, 2> to_display(const Point3& point) const;  // of the active mesh's space
+  Matrix4 active_to_scene() const;                              // identity where no mesh is active
 
   // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there.
   std::optional<std::array<double, 6>> bounds() const;

@@ -35,8 +35,10 @@ class SlideHandles {
   std::vector<std::pair<std::int64_t, Slide::Ellipse>> drag(double x, double y, bool snap);
   void end();
   bool is_dragging() const;
-  std::string label() const;           // of the drag, for undo: "move slide", "turn slide", "scale slide"
-  std::vector<Point3> places() const;  // of the handles, in the active mesh's space, for tests: where to press
+  std::string label() const;  // of the drag, for undo: "move slide", "turn slide", "scale slide"
+  // Of the handles, in the active mesh's space, for tests: where to press. Move: u, v, normal, the plane, the screen's
+  // plane (ball); turn: u, v, normal; scale: u, v, both. Empty where none is shown.
+  std::vector<Point3> places() const;
 
  private:
   struct State;

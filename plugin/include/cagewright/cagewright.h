@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 #define CGW_ABI_MAJOR 1u
-#define CGW_ABI_MINOR 2u
+#define CGW_ABI_MINOR 3u
 #define CGW_ENTRY_POINT "cgw_get_api_v1"
 
 /* ---- status ---------------------------------------------------------------------------------------------------- */
@@ -204,14 +204,16 @@ typedef struct cgw_mesh_report {
 #define CGW_SLIDE_POINT_NORMAL \
   1                         /* the loop of that plane round, or nearest to, the point; the ellipse is fitted to it */
 #define CGW_SLIDE_ELLIPSE 2 /* centre and two radii as they are */
+#define CGW_SLIDE_POINT 3   /* a point on the surface: as POINT_NORMAL with the plane across the limb there. Since 1.3 \
+                             */
 
 typedef struct cgw_slide_input {
   uint32_t struct_size;
   int32_t kind;         /* CGW_SLIDE_* */
-  const char* name;     /* not empty, unique in the session */
+  const char* name;     /* not empty, unique in the session; for slide_fit "" and NULL will do */
   const double* stroke; /* CGW_SLIDE_STROKE: stroke_count x 3 */
   uint64_t stroke_count;
-  double point[3];   /* CGW_SLIDE_POINT_NORMAL: point; CGW_SLIDE_ELLIPSE: centre */
+  double point[3];   /* CGW_SLIDE_POINT_NORMAL, CGW_SLIDE_POINT: point; CGW_SLIDE_ELLIPSE: centre */
   double normal[3];  /* CGW_SLIDE_POINT_NORMAL */
   double u[3], v[3]; /* CGW_SLIDE_ELLIPSE: conjugate radii; the principal ones are taken from them */
 } cgw_slide_input;
@@ -558,6 +560,16 @@ typedef struct cgw_api {
   /* [any-thread] Errors: BUFFER_TOO_SMALL; the sentence is last_error(NULL)'s. */
   cgw_status (*evaluation_certificate)(const cgw_evaluation* evaluation, cgw_certificate* out);
   cgw_status (*evaluation_measures)(const cgw_evaluation* evaluation, cgw_measures* out);
+
+  /* Since 1.3. */
+
+  /* [one-at-a-time] What ellipse a slide would have on the session's model, without adding it: kind, has_ellipse,
+     center, normal, u, v are set, id is CGW_NO_ID, name and message are "", status is CGW_OK. The name may be NULL or
+     "", or that of a slide of the session; sentences say "the slide" where there is none. Of CGW_SLIDE_ELLIPSE the
+     principal radii. To have a slide's centre in the middle of its loop, fit POINT_NORMAL with its centre and normal.
+     Nothing changes. Errors: NOT_READY (no mesh), and those of one slide (STROKE_*, SLIDE_*) but SLIDE_NAME, by
+     id CGW_NO_ID. O(n). */
+  cgw_status (*slide_fit)(const cgw_session* session, const cgw_slide_input* input, cgw_slide_info* out);
 } cgw_api;
 
 /* [any-thread] The only exported symbol. host_minor: the CGW_ABI_MINOR that the host was compiled with. The table is

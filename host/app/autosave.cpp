@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/autosave.h"
+
+#include <exception>
+#include <system_error>
+
+namespace cagewright::host {
+namespace fs = std::filesystem;
+
+Autosave::Autosave(Editor& editor, QObject* parent) : QObject(parent), editor_(editor) {
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, [this] { write(); });
+  editor_.listen([this](WorkspaceChange change) { update(change); });
+}
+
+void Autosave::set_delay(int milliseconds) {
+  delay_ = milliseconds;
+  if (delay_ <= 0) timer_.stop();
+}
+
+fs::path Autosave::file_for(const fs::path& scene) {
+  std::string name = ".";
+  name.append(scene.filename().string()).append(".autosave.glb");
+  return scene.parent_path() / name;
+}
+
+std::optional<fs::path> Autosave::recoverable(const fs::path& scene) {
+  const fs::path file = file_for(scene);
+  std::error_code none;
+  const auto written = fs::last_write_time(file, none);
+  if (none) return {};
+  const auto saved = fs::last_write_time(scene, none);
+  if (!none && saved > written) return {};
+  return file;
+}
+
+void Autosave::update(WorkspaceChange change) {
+  const Workspace& workspace = editor_.workspace();
+  if (change == WorkspaceChange::scene) {
+    timer_.stop();
+    scene_ = workspace.has_scene() ? workspace.path() : fs::path();
+    return;
+  }
+  if (change == WorkspaceChange::saved && workspace.has_scene() && workspace.is_saved()) {
+    discard();
+    scene_ = workspace.path();
+    return;
+  }
+  const bool is_change = change == WorkspaceChange::slides || change == WorkspaceChange::parameters;
+  if (is_change && delay_ > 0 && workspace.has_scene() && !workspace.is_saved() && !timer_.isActive())
+    timer_.start(delay_);
+}
+
+void Autosave::write() {
+  if (!editor_.workspace().has_scene() || editor_.workspace().is_saved()) return;
+  try {
+    editor_.workspace().save_copy(file_for(scene_));
+  } catch (const std::exception& error) {
+    if (tell_failure_) tell_failure_(std::string("The autosave failed: ") + error.what());
+  }
+}
+
+void Autosave::discard() {
+  timer_.stop();
+  if (scene_.empty()) return;
+  std::error_code ignored;
+  fs::remove(file_for(scene_), ignored);
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/command_port.h"
+
+#include <unistd.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QStatusBar>
+#include <array>
+#include <exception>
+#include <iostream>
+
+#include "host/app/view_widget.h"
+
+namespace cagewright::host {
+namespace {
+
+using nlohmann::json;
+
+QWidget* find_widget(const QString& name) {
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (!widget->isVisible()) continue;
+    const auto* button = qobject_cast<QAbstractButton*>(widget);
+    if (widget->objectName() == name || (button && button->text().remove('&') == name)) return widget;
+  }
+  return nullptr;
+}
+
+json position(const QPoint& at) { return {{"x", at.x()}, {"y", at.y()}}; }
+
+json names(const Workspace& workspace, const std::vector<std::int64_t>& ids) {
+  json all = json::array();
+  for (const std::int64_t id : ids)
+    if (const SceneSlide* slide = workspace.document().find_slide(id)) all.push_back(slide->name);
+  return all;
+}
+
+}  // namespace
+
+CommandPort::CommandPort(MainWindow& window)
+    : QObject(&window), window_(window), notifier_(STDIN_FILENO, QSocketNotifier::Read) {
+  connect(&notifier_, &QSocketNotifier::activated, this, [this] { read(); });
+}
+
+void CommandPort::read() {
+  std::array<char, 65536> bytes;
+  const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+  if (count <= 0) return notifier_.setEnabled(false);
+  pending_.append(bytes.data(), static_cast<std::size_t>(count));
+  for (std::size_t end; (end = pending_.find('\n')) != std::string::npos;) {
+    const std::string line = pending_.substr(0, end);
+    pending_.erase(0, end + 1);
+    if (line.find_first_not_of(" \t\r") != std::string::npos) answer(line);
+  }
+}
+
+void CommandPort::answer(const std::string& line) {
+  json reply = {{"ok", true}};
+  try {
+    reply.update(run(json::parse(line)));
+  } catch (const std::exception& error) {
+    reply = {{"ok", false}, {"error", error.what()}};
+  }
+  std::cout << reply.dump() << std::endl;
+}
+
+json CommandPort::run(const json& command) {
+  const std::string name = command.value("command", "");
+  if (name == "where") return where(command);
+  if (name == "state") return state();
+  if (name == "record") {
+    window_.record(command.value("path", ""));
+    return json::object();
+  }
+  const json result = window_.editor().run_or_throw(command);
+  return result.is_object() ? result : json{{"result", result}};
+}
+
+json CommandPort::where(const json& command) const {
+  if (command.contains("point")) return position(window_.view().screen_position(command["point"].get<Point3>()));
+  if (command.contains("handle"))
+    return position(
+        window_.view().screen_position(window_.view().handles().places().at(command["handle"].get<std::size_t>())));
+  const auto name = QString::fromStdString(command.value("widget", ""));
+  const QWidget* widget = find_widget(name);
+  if (!widget) throw ScriptError("where: no such widget is there: " + name.toStdString());
+  json place = position(widget->mapToGlobal(QPoint(0, 0)));
+  place["width"] = widget->width();
+  place["height"] = widget->height();
+  for (const char* property : {"plainText", "text", "title", "windowTitle"})
+    if (const QVariant text = widget->property(property); text.isValid() && !text.toString().isEmpty()) {
+      place["text"] = text.toString().toStdString();
+      break;
+    }
+  return place;
+}
+
+json CommandPort::state() const {
+  const Workspace& workspace = window_.editor().workspace();
+  QString title = window_.windowTitle();
+  title.replace("[*]", window_.isWindowModified() ? "*" : "");
+  json all = {{"title", title.toStdString()},
+              {"focus", QApplication::focusWidget() ? QApplication::focusWidget()->objectName().toStdString() : ""},
+              {"status", window_.statusBar()->currentMessage().toStdString()},
+              {"solving", workspace.progress().is_solving},
+              {"has_scene", workspace.has_scene()}};
+  if (!workspace.has_scene()) return all;
+  const CageState& cage = workspace.cage();
+  all["mesh"] = workspace.mesh_node();
+  all["saved"] = workspace.is_saved();
+  all["selection"] = names(workspace, workspace.selection());
+  json slides = json::array(), problems = json::array();
+  for (const SceneSlide* slide : workspace.slides())
+    slides.push_back(
+        {{"name", slide->name}, {"center", slide->ellipse.center}, {"u", slide->ellipse.u}, {"v", slide->ellipse.v}});
+  for (const Problem& problem : cage.problems)
+    problems.push_back({{"sentence", problem.sentence}, {"slides", names(workspace, problem.slides)}});
+  all["slides"] = slides;
+  all["problems"] = problems;
+  all["undo"] = workspace.stack().undo_label();
+  all["redo"] = workspace.stack().redo_label();
+  all["cage"] = {{"triangles", cage.cage.triangle_count()},
+                 {"is_of_now", cage.is_of_now},
+                 {"is_of_editing", cage.is_of_editing},
+                 {"failed", cage.failed},
+                 {"certified", cage.certificate && cage.certificate->encloses}};
+  return all;
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/editor.h"
+
+#include <exception>
+#include <utility>
+
+namespace cagewright::host {
+
+Editor::Editor(std::shared_ptr<const Plugin> plugin, std::function<void()> wake, ScriptRunner::ViewCommand view)
+    : workspace_(std::move(plugin), std::move(wake)), script_(workspace_, std::move(view)) {
+  workspace_.listen([this](WorkspaceChange change) {
+    for (const Listener& listener : listeners_) listener(change);
+  });
+}
+
+bool Editor::run(const nlohmann::json& command) {
+  return attempt([&] { script_.run(command); });
+}
+
+bool Editor::attempt(const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    if (tell_failure_) tell_failure_(error.what());
+    return false;
+  }
+}
+
+std::vector<std::string> Editor::selected_names() const {
+  std::vector<std::string> names;
+  for (const std::int64_t id : workspace_.selection())
+    if (const SceneSlide* slide = workspace_.document().find_slide(id)) names.push_back(slide->name);
+  return names;
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_APP_EDITOR_H
+#define CAGEWRIGHT_HOST_APP_EDITOR_H
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/workspace/script.h"
+#include "host/workspace/workspace.h"
+
+namespace cagewright::host {
+
+// What all parts of the window share: the workspace, its commands, and who is told of changes and failures.
+class Editor {
+ public:
+  // `wake` is called from the solver's thread.
+  Editor(std::shared_ptr<const Plugin> plugin, std::function<void()> wake, ScriptRunner::ViewCommand view);
+
+  Workspace& workspace() { return workspace_; }
+  const Workspace& workspace() const { return workspace_; }
+  ScriptRunner& script() { return script_; }
+
+  // Runs a command of a menu; a failure goes to `tell_failure` and gives false.
+  bool run(const nlohmann::json& command);
+  // Runs it and lets what it throws through: for scripts.
+  nlohmann::json run_or_throw(const nlohmann::json& command) { return script_.run(command); }
+  // The same for what is no command: false where `action` threw one of the host's errors.
+  bool attempt(const std::function<void()>& action);
+
+  using Listener = std::function<void(WorkspaceChange)>;
+  void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
+  void on_failure(std::function<void(const std::string& sentence)> tell) { tell_failure_ = std::move(tell); }
+
+  std::vector<std::string> selected_names() const;
+
+ private:
+  Workspace workspace_;
+  ScriptRunner script_;
+  std::vector<Listener> listeners_;
+  std::function<void(const std::string&)> tell_failure_;
+};
+
+}  // namespace cagewright::host
+
+#endif

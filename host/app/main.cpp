@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window, `cagewright view [SCENE]`: a program of its own, so that the command line needs no Qt.
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "host/app/command_port.h"
+#include "host/app/main_window.h"
+#include "host/plugin_client/find_plugin.h"
+#include "host/plugin_client/plugin_error.h"
+#include "host/view/picture.h"
+
+namespace {
+
+using namespace cagewright::host;
+
+constexpr int exit_usage = 2, exit_bad_input = 3, exit_internal = 4;
+
+struct Arguments {
+  std::optional<std::string> scene, plugin, theme;
+  bool takes_commands = false;
+};
+
+int say(int code, const std::string& sentence) {
+  std::cerr << "cagewright: " << sentence << "\n";
+  return code;
+}
+
+std::shared_ptr<const Plugin> load_plugin(const Arguments& arguments, std::string& failure) {
+  try {
+    return Plugin::load(
+        find_plugin(arguments.plugin ? std::optional<std::filesystem::path>(*arguments.plugin) : std::nullopt));
+  } catch (const PluginLoadError& error) {
+    failure = error.what();
+    return nullptr;
+  }
+}
+
+int show_window(int argc, char** argv, const Arguments& arguments) {
+  std::string failure;
+  auto plugin = load_plugin(arguments, failure);
+  if (!plugin && arguments.plugin) return say(exit_bad_input, failure);
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName("cagewright");
+  QCoreApplication::setApplicationName("cagewright");
+  QCoreApplication::setApplicationVersion(CAGEWRIGHT_VERSION);
+  MainWindow window(std::move(plugin));
+  window.set_dark(arguments.theme ? *arguments.theme == "dark" : QSettings().value("dark", true).toBool());
+  window.restoreGeometry(QSettings().value("geometry").toByteArray());
+  window.restoreState(QSettings().value("docks").toByteArray());
+  window.show();
+  std::optional<CommandPort> port;
+  if (arguments.takes_commands) port.emplace(window);
+  if (arguments.scene) window.open(*arguments.scene);
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws cut slides on a model; the cage follows.", "cagewright view");
+  Arguments arguments;
+  app.add_option("SCENE", arguments.scene, "a scene or model: .glb .gltf .obj .off .ply .stl");
+  app.add_option("--plugin", arguments.plugin, "the plug-in to use");
+  app.add_option("--theme", arguments.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+  app.add_flag("--commands", arguments.takes_commands,
+               "runs commands from standard input, a JSON object a line, and answers each on standard output");
+  try {
+    app.parse(argc, argv);
+    require_display();
+    return show_window(argc, argv, arguments);
+  } catch (const CLI::ParseError& error) {
+    return error.get_exit_code() == 0 ? app.exit(error) : say(exit_usage, std::string(error.what()) + "; see --help");
+  } catch (const PictureError& error) {
+    return say(exit_bad_input, error.what());
+  } catch (const std::exception& error) {
+    return say(exit_internal, std::string("internal error: ") + error.what());
+  }
+}

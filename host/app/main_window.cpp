@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QUrl>
+
+#include "host/app/outliner.h"
+#include "host/app/parameter_panel.h"
+#include "host/app/plugin_manager.h"
+#include "host/app/problems_list.h"
+#include "host/app/report_panel.h"
+#include "host/app/slide_panel.h"
+#include "host/app/theme.h"
+#include "host/app/view_widget.h"
+
+namespace cagewright::host {
+namespace {
+
+constexpr int dock_width = 290;
+constexpr int failure_ms = 12000;  // how long the status line shows one
+
+QWidget* scrolled(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setWidget(content);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin) {
+  setObjectName("main_window");
+  setAcceptDrops(true);
+  resize(1400, 900);
+  // The solver's thread wakes the window's by an event.
+  editor_ = std::make_unique<Editor>(
+      std::move(plugin),
+      [this] {
+        QMetaObject::invokeMethod(
+            this, [this] { editor_->workspace().poll(); }, Qt::QueuedConnection);
+      },
+      [this](const nlohmann::json& command) { view_->run(command); });
+  editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  recorder_ = std::make_unique<ScriptRecorder>(*editor_);
+  autosave_ = new Autosave(*editor_, this);
+  bool is_given = false;
+  if (const int delay = qEnvironmentVariableIntValue("CAGEWRIGHT_AUTOSAVE_MS", &is_given); is_given)
+    autosave_->set_delay(delay);
+  autosave_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  view_ = new ViewWidget(*editor_, this);
+  setCentralWidget(view_);
+  make_docks();
+  make_menus();
+  make_tool_bar();
+  make_status_line();
+  view_->on_hint([this] { show_hint(); });
+  editor_->listen([this](WorkspaceChange change) { update(change); });
+  for (const WorkspaceChange change : {WorkspaceChange::scene, WorkspaceChange::progress}) update(change);
+  view_->setFocus();
+}
+
+MainWindow::~MainWindow() {
+  // Widgets listen to the editor; the view's renderer has to go while the window is there.
+  delete takeCentralWidget();
+}
+
+void MainWindow::make_docks() {
+  const auto dock = [this](const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+    auto* widget = new QDockWidget(title, this);
+    widget->setObjectName(name);
+    widget->setWidget(content);
+    addDockWidget(area, widget);
+    return widget;
+  };
+  dock("outliner_dock", "Outliner", new Outliner(*editor_, this), Qt::LeftDockWidgetArea);
+  problems_ = new ProblemsList(*editor_, this);
+  QDockWidget* problems = dock("problems_dock", "Problems", problems_, Qt::LeftDockWidgetArea);
+  problems_->on_count([problems](int count) {
+    problems->setWindowTitle(count == 0 ? QString("Problems") : QString("Problems (%1)").arg(count));
+  });
+  problems_->on_frame([this](const Problem& problem) {
+    if (problem.place)
+      view_->frame_place(*problem.place);
+    else if (!problem.slides.empty())
+      view_->frame_selection();
+  });
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("tabs");
+  tabs_->addTab(scrolled(new SlidePanel(*editor_, this)), "Slide");
+  tabs_->addTab(scrolled(new ParameterPanel(*editor_, this)), "Cage");
+  dock("attributes_dock", "Attributes", tabs_, Qt::RightDockWidgetArea);
+  dock("report_dock", "Report", scrolled(new ReportPanel(*editor_, this)), Qt::RightDockWidgetArea);
+  for (QDockWidget* widget : findChildren<QDockWidget*>()) widget->setMinimumWidth(dock_width);
+  resizeDocks({findChild<QDockWidget*>("attributes_dock"), findChild<QDockWidget*>("report_dock")}, {2, 3},
+              Qt::Vertical);
+  resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
+}
+
+void MainWindow::make_status_line() {
+  hint_ = new QLabel(this);
+  hint_->setObjectName("hint");
+  statusBar()->addWidget(hint_, 1);
+  stage_ = new QLabel(this);
+  stage_->setObjectName("stage");
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName("progress");
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(160);
+  cancel_ = new QPushButton("Cancel", this);
+  cancel_->setObjectName("cancel");
+  cancel_->setToolTip("Stops the making of the cage; the last good one stays. (Esc)");
+  connect(cancel_, &QPushButton::clicked, this, [this] { editor_->run({{"command", "cancel"}}); });
+  for (QWidget* widget :
+       {static_cast<QWidget*>(stage_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)})
+    statusBar()->addPermanentWidget(widget);
+}
+
+void MainWindow::update(WorkspaceChange change) {
+  switch (change) {
+    case WorkspaceChange::scene:
+      show_title();
+      show_undo();
+      break;
+    case WorkspaceChange::progress:
+    case WorkspaceChange::cage:
+      show_progress();
+      return;
+    case WorkspaceChange::saved:
+      show_title();
+      break;
+    case WorkspaceChange::slides:
+      if (!editor_->workspace().preview().empty()) return;
+      finish_first_run();
+      [[fallthrough]];
+    case WorkspaceChange::mesh:
+    case WorkspaceChange::parameters:
+      show_title();
+      show_undo();
+      break;
+    case WorkspaceChange::selection:
+      show_undo();
+      break;
+    case WorkspaceChange::plugin:
+      break;
+  }
+  show_hint();
+}
+
+void MainWindow::show_title() {
+  const Workspace& workspace = editor_->workspace();
+  if (!workspace.has_scene()) return setWindowTitle("Cagewright");
+  setWindowTitle(QString("%1[*] - Cagewright").arg(QString::fromStdString(workspace.path().filename().string())));
+  setWindowModified(!workspace.is_saved());
+}
+
+void MainWindow::show_undo() {
+  const Workspace& workspace = editor_->workspace();
+  const bool has_scene = workspace.has_scene();
+  const auto show = [&](QAction* action, const QString& word, const std::string& label) {
+    action->setText(label.empty() ? word : QString("%1 %2").arg(word, QString::fromStdString(label)));
+    action->setEnabled(!label.empty());
+  };
+  show(undo_, "&Undo", has_scene ? workspace.stack().undo_label() : "");
+  show(redo_, "&Redo", has_scene ? workspace.stack().redo_label() : "");
+  for (QAction* action : for_scene_) action->setEnabled(has_scene);
+  for (QAction* action : for_selection_) action->setEnabled(has_scene && !workspace.selection().empty());
+}
+
+void MainWindow::show_progress() {
+  const SolveProgress progress = editor_->workspace().progress();
+  progress_->setVisible(progress.is_solving);
+  cancel_->setVisible(progress.is_solving);
+  stage_->setVisible(progress.is_solving);
+  progress_->setValue(static_cast<int>(1000 * progress.fraction));
+  stage_->setText(QString::fromStdString(progress.stage));
+}
+
+void MainWindow::show_hint() {
+  const Workspace& workspace = editor_->workspace();
+  if (!hint_) return;
+  hint_->setText(!workspace.has_scene() ? "Open a model or scene: File > Open, or drop a file on the window."
+                 : !workspace.plugin()  ? "No plug-in is loaded: File > Plug-ins loads one."
+                                        : view_->hint());
+}
+
+void MainWindow::say_failure(const std::string& sentence) {
+  statusBar()->showMessage(QString::fromStdString(sentence), failure_ms);
+  QApplication::beep();
+}
+
+void MainWindow::set_dark(bool dark) {
+  apply_theme(*qApp, dark);
+  view_->set_dark(dark);
+  QSettings().setValue("dark", dark);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_lose_changes()) return event->ignore();
+  recorder_->stop();
+  autosave_->discard();
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+  settings.setValue("docks", saveState());
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  open(event->mimeData()->urls().first().toLocalFile().toStdString());
+}
+
+}  // namespace cagewright::host

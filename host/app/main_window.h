@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_APP_MAIN_WINDOW_H
+#define CAGEWRIGHT_HOST_APP_MAIN_WINDOW_H
+
+#include <QMainWindow>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host/app/autosave.h"
+#include "host/app/editor.h"
+#include "host/app/script_recorder.h"
+
+class QAction;
+class QActionGroup;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QTabWidget;
+
+namespace cagewright::host {
+
+class PluginManager;
+class ProblemsList;
+class ViewWidget;
+
+// The window: view in the middle, tree on the left, attributes, report and problems on the right. Its menus run the
+// commands of ScriptRunner.
+class MainWindow : public QMainWindow {
+ public:
+  // `plugin` may be null.
+  explicit MainWindow(std::shared_ptr<const Plugin> plugin);
+  ~MainWindow() override;
+
+  Editor& editor() { return *editor_; }
+  ViewWidget& view() { return *view_; }
+  // Asks about unsaved changes, and whether an autosave is to be recovered.
+  void open(const std::filesystem::path& path);
+  void set_dark(bool dark);
+  // Into that file; empty: stops.
+  void record(const std::filesystem::path& path);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  struct Item {        // of a menu
+    const char* name;  // object name, for tests and styles
+    const char* text;
+    const char* keys;  // empty: none; several divided by ", "
+    const char* tip;
+    std::function<void()> run;
+  };
+  QAction* add(QMenu& menu, const Item& item);
+  QAction* add_check(QMenu& menu, const Item& item, bool on);
+  QAction* add_command(QMenu& menu, const char* name, const char* text, const char* keys, const char* tip,
+                       const nlohmann::json& command);
+  QAction* add_for_selection(QMenu& menu, const char* name, const char* text, const char* keys, const char* tip,
+                             const nlohmann::json& command);
+  void make_docks();
+  void make_menus();
+  void make_file_menu();
+  void make_edit_menu();
+  void make_slide_menu();
+  void make_view_menu();
+  void make_cage_menu();
+  void make_help_menu();
+  void make_status_line();
+  void make_tool_bar();
+
+  void update(WorkspaceChange change);
+  void show_title();
+  void show_undo();
+  void show_progress();
+  void show_hint();
+  void say_failure(const std::string& sentence);
+
+  bool may_lose_changes();
+  void choose_file();
+  bool wait_for_cage();
+  bool save();
+  bool save_as();
+  void export_cage();
+  void export_picture();
+  void export_turntable();
+  void remember(const std::filesystem::path& path);
+  void fill_recent();
+  void copy_slides();
+  void paste_slides();
+  void record_script();
+  void run_script();
+  void validate();
+  void show_shortcuts();
+  void finish_first_run();
+
+  std::unique_ptr<Editor> editor_;
+  std::unique_ptr<ScriptRecorder> recorder_;
+  ViewWidget* view_ = nullptr;
+  ProblemsList* problems_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  PluginManager* plugins_ = nullptr;
+  Autosave* autosave_ = nullptr;
+  QLabel *hint_ = nullptr, *stage_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QMenu* recent_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr;
+  std::vector<QAction*> for_scene_, for_selection_;  // enabled only then
+  QActionGroup* tools_ = nullptr;
+};
+
+}  // namespace cagewright::host
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/number_field.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+namespace cagewright::host {
+namespace {
+
+constexpr int digits = 5;  // shown; the value keeps all
+
+}  // namespace
+
+NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
+  setAlignment(Qt::AlignRight);
+  connect(this, &QLineEdit::editingFinished, this, [this] { finish(); });
+  set_value(0);
+}
+
+void NumberField::set_range(double least, double greatest, bool is_integer) {
+  least_ = least;
+  greatest_ = greatest;
+  is_integer_ = is_integer;
+}
+
+void NumberField::set_value(double value) {
+  value_ = value;
+  setText(QLocale::c().toString(value, 'g', digits));
+  setModified(false);
+  setCursorPosition(0);
+}
+
+void NumberField::finish() {
+  if (!isModified()) return;
+  bool is_number = false;
+  double value = QLocale::c().toDouble(text().trimmed().replace(',', '.'), &is_number);
+  if (is_integer_) value = std::round(value);
+  if (!is_number || !std::isfinite(value) || value < least_ || value > greatest_) return set_value(value_);
+  if (value == value_) return set_value(value_);
+  set_value(value);
+  if (edited_) edited_(value);
+}
+
+void NumberField::step(int steps) {
+  finish();
+  const double unit = is_integer_ ? 1 : std::pow(10, std::floor(std::log10(std::max(std::abs(value_), 1e-3))) - 1);
+  const double value = std::clamp(value_ + steps * unit, least_, greatest_);
+  if (value == value_) return;
+  set_value(value);
+  if (edited_) edited_(value);
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Up:
+      return step(1);
+    case Qt::Key_Down:
+      return step(-1);
+    case Qt::Key_Escape:
+      set_value(value_);
+      [[fallthrough]];
+    default:
+      QLineEdit::keyPressEvent(event);
+  }
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_APP_NUMBER_FIELD_H
+#define CAGEWRIGHT_HOST_APP_NUMBER_FIELD_H
+
+#include <QLineEdit>
+#include <functional>
+#include <limits>
+
+namespace cagewright::host {
+
+// A number of any size, shown with as many digits as it takes; a spin box would cut 1e-9 to 0. Told when return or
+// tabulator ends the editing; what is no number or out of range goes back to what it was. The arrow
+// keys change its second digit.
+class NumberField : public QLineEdit {
+ public:
+  explicit NumberField(QWidget* parent = nullptr);
+
+  void set_range(double least, double greatest, bool is_integer);
+  void set_value(double value);  // tells nobody
+  double value() const { return value_; }
+  void on_edit(std::function<void(double)> edited) { edited_ = std::move(edited); }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void finish();
+  void step(int steps);
+
+  double value_ = 0;
+  double least_ = -std::numeric_limits<double>::infinity(), greatest_ = std::numeric_limits<double>::infinity();
+  bool is_integer_ = false;
+  std::function<void(double)> edited_;
+};
+
+}  // namespace cagewright::host
+
+#endif

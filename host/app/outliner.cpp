@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/outliner.h"
+
+#include <QHeaderView>
+#include <algorithm>
+
+namespace cagewright::host {
+namespace {
+
+constexpr int node_item = QTreeWidgetItem::UserType, mesh_item = node_item + 1, slide_item = node_item + 2,
+              cage_item = node_item + 3;
+constexpr int id_role = Qt::UserRole;  // a slide's id or a mesh's node
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+}  // namespace
+
+Outliner::Outliner(Editor& editor, QWidget* parent) : QTreeWidget(parent), editor_(editor) {
+  setObjectName("outliner");
+  setAccessibleName("Outliner");
+  setColumnCount(2);
+  setHeaderLabels({"Node", "Kind"});
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  setUniformRowHeights(true);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, [this] { take_selection(); });
+  connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int) { rename(item); });
+  connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int) {
+    if (item->type() == mesh_item) editor_.run({{"command", "select_mesh"}, {"node", item->data(0, id_role).toInt()}});
+  });
+  editor_.listen([this](WorkspaceChange change) { update(change); });
+}
+
+void Outliner::update(WorkspaceChange change) {
+  switch (change) {
+    case WorkspaceChange::scene:
+    case WorkspaceChange::mesh:
+    case WorkspaceChange::slides:
+      if (editor_.workspace().preview().empty()) fill();
+      break;
+    case WorkspaceChange::selection:
+      show_selection();
+      break;
+    case WorkspaceChange::cage:
+      show_problems();
+      break;
+    default:
+      break;
+  }
+}
+
+QTreeWidgetItem* Outliner::add(QTreeWidgetItem* parent, const QString& name, const QString& kind, int type) {
+  auto* item = new QTreeWidgetItem(type);
+  item->setText(0, name);
+  item->setText(1, kind);
+  item->setToolTip(0, name);
+  parent ? parent->addChild(item) : addTopLevelItem(item);
+  return item;
+}
+
+void Outliner::fill() {
+  is_filling_ = true;
+  clear();
+  slides_.clear();
+  if (editor_.workspace().has_scene()) {
+    std::map<int, QTreeWidgetItem*> items;
+    add_nodes(items);
+    add_slides(items);
+    add_cages(items);
+    expandAll();
+  }
+  is_filling_ = false;
+  show_selection();
+  show_problems();
+}
+
+void Outliner::add_nodes(std::map<int, QTreeWidgetItem*>& items) {
+  const Workspace& workspace = editor_.workspace();
+  const std::vector<SceneNode> nodes = workspace.document().nodes();
+  std::vector<const SceneNode*> waiting;
+  for (const SceneNode& node : nodes)
+    if (node.index >= 0) waiting.push_back(&node);
+  // Parents may come after their children.
+  for (bool any = true; any && !waiting.empty();) {
+    any = false;
+    std::vector<const SceneNode*> later;
+    for (const SceneNode* node : waiting) {
+      const auto parent = items.find(node->parent);
+      if (node->parent >= 0 && parent == items.end()) {
+        later.push_back(node);
+        continue;
+      }
+      any = true;
+      const bool is_mesh = node->kind == SceneNode::Kind::mesh;
+      const QString name = node->name.empty() ? QString("node %1").arg(node->index) : text(node->name);
+      QTreeWidgetItem* item = add(node->parent >= 0 ? parent->second : nullptr, name, is_mesh ? "mesh" : "",
+                                  is_mesh ? mesh_item : node_item);
+      item->setData(0, id_role, node->index);
+      if (is_mesh && node->index == workspace.mesh_node()) {
+        QFont bold = item->font(0);
+        bold.setBold(true);
+        item->setFont(0, bold);
+        item->setText(1, "mesh, being caged");
+      } else if (is_mesh) {
+        item->setToolTip(0, name + ": double-click to make this mesh the one to cage");
+      }
+      items[node->index] = item;
+    }
+    waiting = std::move(later);
+  }
+}
+
+void Outliner::add_slides(const std::map<int, QTreeWidgetItem*>& items) {
+  for (const SceneSlide& slide : editor_.workspace().document().slides()) {
+    const auto parent = items.find(slide.mesh_node);
+    QTreeWidgetItem* item =
+        add(parent == items.end() ? nullptr : parent->second, text(slide.name), "slide", slide_item);
+    item->setData(0, id_role, QVariant::fromValue<qlonglong>(slide.id));
+    if (slide.mesh_node == editor_.workspace().mesh_node())
+      item->setFlags(item->flags() | Qt::ItemIsEditable);
+    else
+      item->setFlags(item->flags() & ~Qt::ItemIsSelectable);
+    slides_[slide.id] = item;
+  }
+}
+
+void Outliner::add_cages(const std::map<int, QTreeWidgetItem*>& items) {
+  const Workspace& workspace = editor_.workspace();
+  for (const auto& [node, parent] : items) {
+    if (parent->type() != mesh_item) continue;
+    const SceneCage* stored = workspace.document().find_cage(node);
+    const bool is_live = node == workspace.mesh_node() && workspace.plugin();
+    if (!stored && !is_live) continue;
+    const QString name = stored && !stored->name.empty() ? text(stored->name) : "cage";
+    add(parent, name, is_live ? "cage, live" : "cage", cage_item);
+  }
+}
+
+void Outliner::show_selection() {
+  is_filling_ = true;
+  clearSelection();
+  for (const std::int64_t id : editor_.workspace().selection())
+    if (const auto found = slides_.find(id); found != slides_.end()) {
+      found->second->setSelected(true);
+      scrollToItem(found->second);
+    }
+  is_filling_ = false;
+}
+
+void Outliner::show_problems() {
+  is_filling_ = true;
+  const CageState& cage = editor_.workspace().cage();
+  for (const auto& [id, item] : slides_) {
+    QString problem;
+    if (cage.failed)
+      for (const Problem& each : cage.problems)
+        if (std::find(each.slides.begin(), each.slides.end(), id) != each.slides.end()) problem = text(each.sentence);
+    item->setForeground(0, problem.isEmpty() ? palette().text() : QBrush(QColor(0xff, 0x6b, 0x5e)));
+    item->setToolTip(0, problem.isEmpty() ? item->text(0) : problem);
+  }
+  is_filling_ = false;
+}
+
+void Outliner::take_selection() {
+  if (is_filling_) return;
+  nlohmann::json names = nlohmann::json::array();
+  for (const QTreeWidgetItem* item : selectedItems())
+    if (item->type() == slide_item) names.push_back(item->text(0).toStdString());
+  editor_.run({{"command", "select"}, {"slides", names}});
+}
+
+void Outliner::rename(QTreeWidgetItem* item) {
+  if (is_filling_ || item->type() != slide_item) return;
+  const SceneSlide* slide = editor_.workspace().document().find_slide(item->data(0, id_role).toLongLong());
+  if (!slide || slide->name == item->text(0).toStdString()) return;
+  if (!editor_.run({{"command", "rename_slide"}, {"slide", slide->name}, {"name", item->text(0).toStdString()}}))
+    fill();
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/plugin_manager.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace cagewright::host {
+
+PluginManager::PluginManager(Editor& editor, QWidget* parent) : QDialog(parent), editor_(editor) {
+  setObjectName("plugin_manager");
+  setWindowTitle("Plug-ins");
+  setMinimumWidth(520);
+  auto* column = new QVBoxLayout(this);
+  text_ = new QLabel(this);
+  text_->setObjectName("plugin_text");
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setWordWrap(true);
+  column->addWidget(text_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  QPushButton* load = buttons->addButton("&Load ...", QDialogButtonBox::ActionRole);
+  load->setObjectName("load_plugin");
+  load->setToolTip("Another file in place of this one: the cage is then made by that.");
+  unload_ = buttons->addButton("&Unload", QDialogButtonBox::ActionRole);
+  unload_->setObjectName("unload_plugin");
+  unload_->setToolTip("Refused while the scene uses it: close the scene first.");
+  column->addWidget(buttons);
+  connect(load, &QPushButton::clicked, this, [this] { choose(); });
+  connect(unload_, &QPushButton::clicked, this, [this] { editor_.run({{"command", "unload_plugin"}}); });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  editor_.listen([this](WorkspaceChange change) {
+    if (change == WorkspaceChange::plugin) show_plugin();
+  });
+  show_plugin();
+}
+
+void PluginManager::show_plugin() {
+  const std::shared_ptr<const Plugin>& plugin = editor_.workspace().plugin();
+  unload_->setEnabled(plugin != nullptr);
+  if (!plugin) {
+    text_->setText(
+        "No plug-in is loaded. Scenes can be opened and saved, with the slides and cages that they hold; "
+        "nothing can be fitted or caged.");
+    return;
+  }
+  text_->setText(
+      QString("<table><tr><td>File&nbsp;&nbsp;</td><td>%1</td></tr><tr><td>Version</td><td>%2</td></tr>"
+              "<tr><td>ABI</td><td>%3.%4</td></tr><tr><td>Parameters&nbsp;&nbsp;</td><td>%5</td></tr></table>")
+          .arg(QString::fromStdString(plugin->path().string()).toHtmlEscaped(),
+               QString::fromStdString(plugin->version()).toHtmlEscaped())
+          .arg(plugin->api().abi_major)
+          .arg(plugin->api().abi_minor)
+          .arg(plugin->api().parameter_count));
+}
+
+void PluginManager::choose() {
+  const QString file = QFileDialog::getOpenFileName(this, "Load a plug-in", "", "Plug-ins (*.so);;All files (*)");
+  if (!file.isEmpty()) editor_.run({{"command", "load_plugin"}, {"path", file.toStdString()}});
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/problems_list.h"
+
+namespace cagewright::host {
+
+ProblemsList::ProblemsList(Editor& editor, QWidget* parent) : QListWidget(parent), editor_(editor) {
+  setObjectName("problems");
+  setAccessibleName("Problems");
+  setWordWrap(true);
+  setAlternatingRowColors(true);
+  connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { show_problem(row(item)); });
+  connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { show_problem(row(item)); });
+  editor_.listen([this](WorkspaceChange change) {
+    if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh) fill();
+  });
+}
+
+void ProblemsList::fill() {
+  const std::vector<Problem>& problems = editor_.workspace().cage().problems;
+  clear();
+  for (const Problem& problem : problems) {
+    auto* item = new QListWidgetItem(QString::fromStdString(problem.sentence), this);
+    item->setToolTip("Click to see the place: " + item->text());
+  }
+  if (count_) count_(static_cast<int>(problems.size()));
+}
+
+void ProblemsList::show_problem(int row) {
+  const std::vector<Problem>& problems = editor_.workspace().cage().problems;
+  if (row < 0 || row >= static_cast<int>(problems.size())) return;
+  const Problem problem = problems[static_cast<std::size_t>(row)];
+  if (!problem.slides.empty()) {
+    nlohmann::json names = nlohmann::json::array();
+    for (const std::int64_t id : problem.slides)
+      if (const SceneSlide* slide = editor_.workspace().document().find_slide(id)) names.push_back(slide->name);
+    editor_.run({{"command", "select"}, {"slides", names}});
+  }
+  if (frame_) frame_(problem);
+}
+
+}  // namespace cagewright::host

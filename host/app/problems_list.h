@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_APP_PROBLEMS_LIST_H
+#define CAGEWRIGHT_HOST_APP_PROBLEMS_LIST_H
+
+#include <QListWidget>
+#include <functional>
+
+#include "host/app/editor.h"
+
+namespace cagewright::host {
+
+// What is wrong with the cage, a sentence each. A click selects the slides at fault and asks for their place to be
+// framed.
+class ProblemsList : public QListWidget {
+ public:
+  ProblemsList(Editor& editor, QWidget* parent);
+
+  void on_frame(std::function<void(const Problem&)> frame) { frame_ = std::move(frame); }
+  void on_count(std::function<void(int)> count) { count_ = std::move(count); }
+
+ private:
+  void fill();
+  void show_problem(int row);
+
+  Editor& editor_;
+  std::function<void(const Problem&)> frame_;
+  std::function<void(int)> count_;
+};
+
+}  // namespace cagewright::host
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/report_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <cmath>
+#include <numbers>
+
+#include "host/app/convergence_plot.h"
+
+namespace cagewright::host {
+namespace {
+
+QString number(double value, int digits = 4) {
+  return std::isfinite(value) ? QString::number(value, 'g', digits) : QString("-");
+}
+QString degrees(double radians) { return number(radians * 180 / std::numbers::pi, 3) + "&deg;"; }
+QString row(const QString& name, const QString& value) {
+  return QString("<tr><td>%1&nbsp;&nbsp;</td><td align='right'>%2</td></tr>").arg(name, value);
+}
+
+QString measures_rows(const Measures& measures) {
+  return row("Volume ratio", number(measures.volume_ratio)) + row("Mean gap / diagonal", number(measures.mean_gap)) +
+         row("Largest gap / diagonal", number(measures.max_gap)) + row("Coverage", number(measures.coverage)) +
+         row("Clearance / diagonal", number(measures.clearance, 3)) +
+         row("Sections off square", degrees(measures.worst_squareness)) +
+         row("Twist between sections", degrees(measures.worst_twist)) +
+         row("Least, greatest dihedral",
+             degrees(measures.least_dihedral) + ", " + degrees(measures.greatest_dihedral)) +
+         row("Largest aspect", number(measures.greatest_aspect, 3));
+}
+
+QString timings_rows(const cgw_summary& summary, double total) {
+  return row("Segment", number(summary.segment_ms, 3) + " ms") + row("Orient", number(summary.orient_ms, 3) + " ms") +
+         row("Mesh", number(summary.meshing_ms, 3) + " ms") + row("Refine", number(summary.refine_ms, 3) + " ms") +
+         row("Enclose", number(summary.enclose_ms, 3) + " ms") + row("Whole", number(total, 3) + " ms");
+}
+
+QString certificate_rows(const Certificate& certificate) {
+  return row("Closed", certificate.closed ? "yes" : "no") +
+         row("Self-intersections", QString::number(certificate.self_intersections.size())) +
+         row("Model meets cage", QString::number(certificate.model_cage_intersections.size())) +
+         row("Vertices outside", QString::number(certificate.vertices_outside.size()));
+}
+
+struct Verdict {
+  QString text, colour;
+};
+
+Verdict verdict_of(const CageState& cage, bool is_solving) {
+  if (cage.cage.triangles.empty()) return {cage.failed ? "No cage: see the problems" : "No cage yet", "#9a9aa0"};
+  if (cage.failed) return {"The last good cage: the slides as they are now give none", "#ff9f43"};
+  if (!cage.is_of_now || cage.is_of_editing || !cage.certificate)
+    return {is_solving ? "Being made ..." : "Not certified yet", "#9a9aa0"};
+  if (cage.certificate->encloses && cage.certificate->keeps_distance)
+    return {"Certified: it encloses the model", "#5fbf77"};
+  if (cage.certificate->encloses) return {"Encloses the model, but not at the distance asked for", "#ff9f43"};
+  return {"Not certified: it does not enclose the model", "#ff6b5e"};
+}
+
+}  // namespace
+
+ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
+  setObjectName("report");
+  auto* column = new QVBoxLayout(this);
+  verdict_ = new QLabel(this);
+  verdict_->setObjectName("verdict");
+  verdict_->setWordWrap(true);
+  figures_ = new QLabel(this);
+  figures_->setObjectName("figures");
+  figures_->setTextFormat(Qt::RichText);
+  figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  plot_ = new ConvergencePlot(this);
+  column->addWidget(verdict_);
+  column->addWidget(plot_);
+  column->addWidget(figures_);
+  column->addStretch();
+  editor_.listen([this](WorkspaceChange change) {
+    if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh ||
+        change == WorkspaceChange::progress)
+      show_cage();
+  });
+  show_cage();
+}
+
+void ReportPanel::show_cage() {
+  const CageState& cage = editor_.workspace().cage();
+  const Verdict verdict = verdict_of(cage, editor_.workspace().progress().is_solving);
+  verdict_->setText(verdict.text);
+  verdict_->setStyleSheet(QString("font-weight: bold; color: %1;").arg(verdict.colour));
+  QString rows;
+  if (!cage.cage.triangles.empty()) {
+    rows = row("Cage triangles", QString::number(cage.cage.triangle_count())) +
+           row("Cage vertices", QString::number(cage.cage.vertex_count())) +
+           row("Refinement steps", QString::number(cage.summary.iterations));
+    if (cage.certificate) rows += certificate_rows(*cage.certificate);
+    if (cage.measures) rows += measures_rows(*cage.measures);
+    rows += timings_rows(cage.summary, cage.milliseconds);
+  }
+  figures_->setText("<table>" + rows + "</table>");
+  plot_->show(cage.max_signed_distances);
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/view_sync.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cagewright::host {
+namespace {
+
+// What is wrong with a slide; empty: nothing.
+std::string problem_of(const CageState& cage, std::int64_t id) {
+  if (!cage.failed) return "";
+  for (const Problem& problem : cage.problems)
+    if (std::find(problem.slides.begin(), problem.slides.end(), id) != problem.slides.end()) return problem.sentence;
+  return "";
+}
+
+const PreviewSlide* preview_of(const Workspace& workspace, std::int64_t id) {
+  for (const PreviewSlide& slide : workspace.preview())
+    if (slide.id == id) return &slide;
+  return nullptr;
+}
+
+}  // namespace
+
+void ViewSync::update(WorkspaceChange change) {
+  switch (change) {
+    case WorkspaceChange::scene:
+    case WorkspaceChange::mesh:
+      show_meshes();
+      show_cage();
+      show_slides();
+      break;
+    case WorkspaceChange::slides:
+    case WorkspaceChange::selection:
+      show_slides();
+      break;
+    case WorkspaceChange::cage:
+      show_cage();
+      show_slides();
+      break;
+    case WorkspaceChange::parameters:
+    case WorkspaceChange::progress:
+    case WorkspaceChange::plugin:
+    case WorkspaceChange::saved:
+      break;
+  }
+}
+
+void ViewSync::show_meshes() {
+  std::vector<ShownMesh> shown;
+  if (workspace_.has_scene()) {
+    const SceneDocument& document = workspace_.document();
+    for (const SceneMeshNode& node : document.mesh_nodes()) {
+      const std::shared_ptr<const TriangleMesh> mesh = workspace_.mesh_of(node.node);
+      if (mesh) shown.push_back({node.node, mesh, document.to_scene(node.node), node.node == workspace_.mesh_node()});
+    }
+  }
+  view_.set_meshes(std::move(shown));
+}
+
+void ViewSync::show_slides() {
+  std::vector<ShownSlide> shown;
+  std::set<std::string> said;
+  const std::vector<std::int64_t>& selection = workspace_.selection();
+  if (workspace_.has_scene())
+    for (const SceneSlide* slide : workspace_.slides()) {
+      const bool is_selected = std::find(selection.begin(), selection.end(), slide->id) != selection.end();
+      const std::string problem = problem_of(workspace_.cage(), slide->id);
+      const PreviewSlide* preview = preview_of(workspace_, slide->id);
+      // A sentence about two slides stands beside the first of them.
+      const bool is_said = !problem.empty() && said.insert(problem).second;
+      const std::string label = is_said ? problem : is_selected ? slide->name : "";
+      shown.push_back({slide->id, label, preview ? preview->ellipse : slide->ellipse, is_selected, preview != nullptr,
+                       !problem.empty()});
+    }
+  for (const PreviewSlide& preview : workspace_.preview())
+    if (preview.id < 0) shown.push_back({-1, "", preview.ellipse, false, true, false});
+  view_.set_slides(std::move(shown));
+  show_handles();
+}
+
+void ViewSync::show_handles() {
+  if (handles_.is_dragging()) return;
+  std::vector<std::pair<std::int64_t, Slide::Ellipse>> held;
+  if (workspace_.has_scene())
+    for (const std::int64_t id : workspace_.selection())
+      if (const SceneSlide* slide = workspace_.document().find_slide(id);
+          slide && slide->mesh_node == workspace_.mesh_node())
+        held.emplace_back(id, slide->ellipse);
+  handles_.set_slides(std::move(held));
+}
+
+void ViewSync::show_cage() {
+  const CageState& cage = workspace_.cage();
+  if (cage.cage.triangles.empty()) {
+    view_.set_cage(nullptr);
+    view_.set_outside({});
+    return;
+  }
+  ShownCage shown{cage.cage, {}, !cage.is_of_now || cage.failed};
+  for (std::size_t i = 0; i < cage.sections.size(); ++i)
+    if (i >= cage.sections_merged.size() || !cage.sections_merged[i]) shown.sections.push_back(cage.sections[i]);
+  view_.set_cage(&shown);
+  if (!cage.cut_model.triangles.empty()) view_.set_parts(cage.cut_model, cage.cut_model_parts);
+  if (cage.certificate) view_.set_outside(cage.certificate->vertices_outside);
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/app/view_widget.h"
+
+#include <vtkAxesActor.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOrientationMarkerWidget.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <QLabel>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QWheelEvent>
+#include <nlohmann/json.hpp>
+
+namespace cagewright::host {
+namespace {
+
+constexpr double wheel_notch = 120;  // of QWheelEvent's angle
+constexpr int help_width = 460;
+
+CameraControl::Axis axis_of(const std::string& name) {
+  using Axis = CameraControl::Axis;
+  if (name == "front") return Axis::front;
+  if (name == "back") return Axis::back;
+  if (name == "left") return Axis::left;
+  if (name == "right") return Axis::right;
+  if (name == "top") return Axis::top;
+  if (name == "bottom") return Axis::bottom;
+  return Axis::perspective;
+}
+
+}  // namespace
+
+ViewWidget::ViewWidget(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(parent), editor_(editor) {
+  setObjectName("view");
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAccessibleName("3-D view");
+  set_up_window();
+  scene_ = std::make_unique<SceneView>(*renderer_);
+  camera_ = std::make_unique<CameraControl>(*renderer_);
+  handles_ = std::make_unique<SlideHandles>(*renderer_, *scene_);
+  sync_ = std::make_unique<ViewSync>(editor_.workspace(), *scene_, *handles_);
+  stroke_tool_ = std::make_unique<StrokeTool>(editor_, *scene_);
+  select_tool_ = std::make_unique<SelectTool>(editor_, *scene_, *handles_);
+  tool_ = select_tool_.get();
+  help_ = new QLabel(this);
+  help_->setObjectName("help");
+  help_->setWordWrap(true);
+  help_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  help_->setStyleSheet("background: rgba(20, 22, 26, 215); color: #f0f0f2; border-radius: 6px; padding: 12px;");
+  help_->hide();
+  editor_.listen([this](WorkspaceChange change) { update(change); });
+}
+
+ViewWidget::~ViewWidget() = default;
+
+void ViewWidget::set_up_window() {
+  window_->SetMultiSamples(0);
+  setRenderWindow(window_);
+  window_->AddRenderer(renderer_);
+  // The mouse is ours: VTK's interactor is there for the axes in the corner alone.
+  window_->GetInteractor()->SetInteractorStyle(nullptr);
+  axes_ = vtkSmartPointer<vtkOrientationMarkerWidget>::New();
+  axes_->SetOrientationMarker(vtkNew<vtkAxesActor>());
+  axes_->SetInteractor(window_->GetInteractor());
+  axes_->SetViewport(0, 0, 0.14, 0.2);
+  axes_->SetEnabled(1);
+  axes_->InteractiveOff();
+}
+
+void ViewWidget::update(WorkspaceChange change) {
+  sync_->update(change);
+  if (change == WorkspaceChange::scene) frame_all();
+  render_soon();
+  if (hint_changed_) hint_changed_();
+}
+
+// Once for all that changes until the event loop comes round.
+void ViewWidget::render_soon() {
+  if (render_is_due_) return;
+  render_is_due_ = true;
+  QTimer::singleShot(0, this, [this] {
+    render_is_due_ = false;
+    camera_->update_clipping();
+    handles_->update();
+    window_->Render();
+  });
+}
+
+void ViewWidget::use_select_tool(SlideHandles::Mode mode) {
+  tool_->cancel();
+  tool_ = select_tool_.get();
+  handle_mode_ = mode;
+  handles_->set_mode(mode);
+  sync_->show_handles();
+  unsetCursor();
+  render_soon();
+  if (hint_changed_) hint_changed_();
+}
+
+void ViewWidget::use_stroke_tool() {
+  tool_->cancel();
+  tool_ = stroke_tool_.get();
+  handles_->set_mode(SlideHandles::Mode::none);
+  setCursor(Qt::CrossCursor);
+  render_soon();
+  if (hint_changed_) hint_changed_();
+}
+
+void ViewWidget::cancel_tool() {
+  tool_->cancel();
+  doing_ = Doing::nothing;
+  render_soon();
+}
+
+void ViewWidget::run(const nlohmann::json& command) {
+  const std::string name = command.at("command");
+  if (name == "frame") {
+    const std::string what = command.value("what", "all");
+    if (command.contains("slide"))
+      frame_slide(command["slide"]);
+    else
+      what == "all" ? frame_all() : frame_selection();
+  } else if (name == "look") {
+    camera_->look_along(axis_of(command.value("axis", "perspective")));
+    frame_all();
+  } else if (name == "projection") {
+    camera_->set_orthographic(command.value("orthographic", false));
+  } else if (name == "colours") {
+    ViewOptions options = scene_->options();
+    const std::string colours = command.value("by", "plain");
+    options.colours = colours == "parts"      ? ViewOptions::Colours::parts
+                      : colours == "coverage" ? ViewOptions::Colours::coverage
+                                              : ViewOptions::Colours::plain;
+    scene_->set_options(options);
+  } else if (name == "show") {
+    ViewOptions options = scene_->options();
+    const std::string what = command.value("what", "");
+    const bool on = command.value("on", true);
+    if (what == "model") options.model = on;
+    if (what == "slides") options.slides = on;
+    if (what == "sections") options.sections = on;
+    if (what == "cage") options.cage = on;
+    if (what == "cage_faces") options.cage_faces = on;
+    if (what == "grid") options.grid = on;
+    if (what == "wireframe") options.wireframe = on;
+    scene_->set_options(options);
+  }
+  render_soon();
+}
+
+void ViewWidget::frame_all() {
+  if (const auto bounds = scene_->bounds()) camera_->frame(*bounds);
+  render_soon();
+}
+
+void ViewWidget::frame_selection() { frame_slides(editor_.workspace().selection()); }
+
+void ViewWidget::frame_slide(const std::string& name) {
+  if (const SceneSlide* slide = editor_.workspace().find_slide(name)) frame_slides({slide->id});
+}
+
+void ViewWidget::frame_slides(const std::vector<std::int64_t>& ids) {
+  const auto bounds = scene_->bounds_of_slides(ids);
+  if (!bounds) return frame_all();
+  camera_->frame(*bounds);
+  render_soon();
+}
+
+void ViewWidget::frame_place(const Point3& place) {
+  if (const auto bounds = scene_->bounds_of_place(place)) camera_->frame(*bounds);
+  render_soon();
+}
+
+void ViewWidget::set_dark(bool dark) {
+  ViewOptions options = scene_->options();
+  options.dark = dark;
+  scene_->set_options(options);
+  render_soon();
+}
+
+void ViewWidget::show_help(const QString& text) {
+  help_->setText(text);
+  help_->setVisible(!text.isEmpty());
+  place_help();
+}
+
+void ViewWidget::place_help() {
+  help_->setFixedWidth(std::min(help_width, std::max(120, width() - 32)));
+  help_->adjustSize();
+  help_->move((width() - help_->width()) / 2, 16);
+}
+
+MousePoint ViewWidget::mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const {
+  const double ratio = devicePixelRatioF();
+  return {position.x() * ratio, (height() - 1 - position.y()) * ratio, modifiers.testFlag(Qt::ShiftModifier),
+          modifiers.testFlag(Qt::ControlModifier)};
+}
+
+QPoint ViewWidget::screen_position(const Point3& point) const {
+  const auto [x, y] = scene_->to_display(point);
+  const double ratio = devicePixelRatioF();
+  return mapToGlobal(QPoint(qRound(x / ratio), qRound(height() - 1 - y / ratio)));
+}
+
+ViewWidget::Doing ViewWidget::begin_of(const QMouseEvent& event) {
+  const bool alt = event.modifiers().testFlag(Qt::AltModifier);
+  switch (event.button()) {
+    case Qt::LeftButton:
+      if (alt) return Doing::tumble;
+      return tool_->press(mouse_point(event.localPos(), event.modifiers())) ? Doing::tool : Doing::tumble;
+    case Qt::MiddleButton:
+      return Doing::track;
+    case Qt::RightButton:
+      return alt ? Doing::dolly : Doing::tumble;
+    default:
+      return Doing::nothing;
+  }
+}
+
+void ViewWidget::mousePressEvent(QMouseEvent* event) {
+  if (doing_ != Doing::nothing) return;  // a second button while one is down
+  last_ = event->localPos();
+  doing_ = begin_of(*event);
+  render_soon();
+  if (hint_changed_) hint_changed_();
+}
+
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF by = (event->localPos() - last_) * devicePixelRatioF();
+  const MousePoint at = mouse_point(event->localPos(), event->modifiers());
+  switch (doing_) {
+    case Doing::nothing:
+      tool_->hover(at);
+      break;
+    case Doing::tool:
+      tool_->drag(at);
+      break;
+    case Doing::tumble:
+      camera_->tumble(by.x(), -by.y());
+      break;
+    case Doing::track:
+      camera_->track(by.x(), -by.y());
+      break;
+    case Doing::dolly:
+      camera_->dolly(by.x() - by.y());
+      break;
+  }
+  last_ = event->localPos();
+  render_soon();
+}
+
+void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->buttons() != Qt::NoButton) return;
+  if (std::exchange(doing_, Doing::nothing) == Doing::tool)
+    tool_->release(mouse_point(event->localPos(), event->modifiers()));
+  render_soon();
+  if (hint_changed_) hint_changed_();
+}
+
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void ViewWidget::wheelEvent(QWheelEvent* event) {
+  const MousePoint at = mouse_point(event->position(), event->modifiers());
+  camera_->zoom_at(event->angleDelta().y() / wheel_notch, at.x, at.y);
+  render_soon();
+}
+
+void ViewWidget::resizeEvent(QResizeEvent* event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  place_help();
+}
+
+// QVTKOpenGLNativeWidget hands mouse and keys to VTK's interactor, too, which would tumble and track for a second time.
+bool ViewWidget::event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    case QEvent::DragEnter:
+    case QEvent::DragMove:
+    case QEvent::Drop:
+      return QOpenGLWidget::event(event);
+    default:
+      return QVTKOpenGLNativeWidget::event(event);
+  }
+}
+
+}  // namespace cagewright::host

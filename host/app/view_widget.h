@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CAGEWRIGHT_HOST_APP_VIEW_WIDGET_H
+#define CAGEWRIGHT_HOST_APP_VIEW_WIDGET_H
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+#include "host/app/editor.h"
+#include "host/app/select_tool.h"
+#include "host/app/stroke_tool.h"
+#include "host/app/view_sync.h"
+#include "host/view/window/camera_control.h"
+#include "host/view/window/scene_view.h"
+#include "host/view/window/slide_handles.h"
+
+class QLabel;
+class vtkGenericOpenGLRenderWindow;
+class vtkOrientationMarkerWidget;
+class vtkRenderer;
+
+namespace cagewright::host {
+
+// The 3-D view: mouse and keys as Maya has them. Alt + left, middle, right: tumble, track, dolly; without alt, middle
+// tracks, right tumbles, the wheel goes nearer, and left is the tool's, which leaves to tumbling what is not for it.
+class ViewWidget : public QVTKOpenGLNativeWidget {
+ public:
+  ViewWidget(Editor& editor, QWidget* parent);
+  ~ViewWidget() override;
+
+  SceneView& scene() { return *scene_; }
+  CameraControl& camera() { return *camera_; }
+  SlideHandles& handles() { return *handles_; }
+  StrokeTool& stroke_tool() { return *stroke_tool_; }
+
+  void use_select_tool(SlideHandles::Mode mode);
+  void use_stroke_tool();
+  bool is_drawing() const { return tool_ == stroke_tool_.get(); }
+  QString hint() const { return tool_->hint(); }
+  void on_hint(std::function<void()> changed) { hint_changed_ = std::move(changed); }
+  void cancel_tool();
+
+  // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
+  void run(const nlohmann::json& command);
+  void frame_all();
+  void frame_selection();
+  void frame_slide(const std::string& name);
+  void frame_place(const Point3& place);
+  void show_help(const QString& text);  // over the view; empty: none
+
+  void render_soon();
+  void set_dark(bool dark);
+  // A point of the active mesh as a global screen position, for tests.
+  QPoint screen_position(const Point3& point) const;
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  enum class Doing { nothing, tool, tumble, track, dolly };
+
+  void set_up_window();
+  void frame_slides(const std::vector<std::int64_t>& ids);
+  void update(WorkspaceChange change);
+  MousePoint mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
+  Doing begin_of(const QMouseEvent& event);
+  void place_help();
+
+  Editor& editor_;
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkOrientationMarkerWidget> axes_;
+  std::unique_ptr<SceneView> scene_;
+  std::unique_ptr<CameraControl> camera_;
+  std::unique_ptr<SlideHandles> handles_;
+  std::unique_ptr<ViewSync> sync_;
+  std::unique_ptr<StrokeTool> stroke_tool_;
+  std::unique_ptr<SelectTool> select_tool_;
+  Tool* tool_ = nullptr;
+  SlideHandles::Mode handle_mode_ = SlideHandles::Mode::none;
+  Doing doing_ = Doing::nothing;
+  QPointF last_;
+  bool render_is_due_ = false;
+  std::function<void()> hint_changed_;
+  QLabel* help_ = nullptr;
+};
+
+}  // namespace cagewright::host
+
+#endif

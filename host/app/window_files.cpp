@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opening, saving and exporting from the window, and the questions that go with it.
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QSettings>
+#include <system_error>
+
+#include "host/app/main_window.h"
+#include "host/app/view_widget.h"
+
+namespace cagewright::host {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int most_recent = 10;
+constexpr const char* first_help =
+    "<b>Draw your first cut slide</b><br>Take <b>Draw Slides (D)</b> and draw a short stroke across a limb, or click "
+    "on it. "
+    "The cage follows. A slide wherever a limb bends or changes its girth is enough: wrist, elbow, shoulder, neck "
+    "...<br>"
+    "Alt + mouse turns the view, F1 lists all keys.";
+
+fs::path path_of(const QString& file) { return fs::path(file.toStdString()); }
+QString text_of(const fs::path& path) { return QString::fromStdString(path.string()); }
+
+}  // namespace
+
+void MainWindow::open(const fs::path& path) {
+  if (!may_lose_changes()) return;
+  const fs::path scene = fs::absolute(path);
+  fs::path saved_as = scene;
+  const bool is_scene = scene.extension() == ".glb" || scene.extension() == ".gltf";
+  if (!is_scene) saved_as.replace_extension(".glb");
+  const std::optional<fs::path> left = Autosave::recoverable(saved_as);
+  bool recovers = false;
+  if (left) {
+    const auto answer = QMessageBox::question(
+        this, "Recover changes?",
+        QString("The program ended before %1 was saved. Recover what was not saved?").arg(text_of(saved_as.filename())),
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::Yes);
+    recovers = answer == QMessageBox::Yes;
+  }
+  if (editor_->workspace().has_scene()) autosave_->discard();
+  const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
+                                : editor_->run({{"command", "open"}, {"path", scene.string()}});
+  if (!is_open) return;
+  remember(scene);
+  if (left && !recovers) autosave_->discard();
+  for (const std::string& note : editor_->workspace().notes()) say_failure(note);
+  if (editor_->workspace().slides().empty() && !QSettings().value("knows_slides", false).toBool())
+    view_->show_help(first_help);
+}
+
+void MainWindow::finish_first_run() {
+  if (editor_->workspace().has_scene() && !editor_->workspace().slides().empty()) {
+    QSettings().setValue("knows_slides", true);
+    view_->show_help("");
+  }
+}
+
+bool MainWindow::may_lose_changes() {
+  if (!editor_->workspace().has_scene() || editor_->workspace().is_saved()) return true;
+  const auto answer = QMessageBox::question(
+      this, "Unsaved changes",
+      QString("%1 has changes that are not saved.").arg(text_of(editor_->workspace().path().filename())),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) return save();
+  return answer == QMessageBox::Discard;
+}
+
+void MainWindow::choose_file() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, "Open", QSettings().value("folder").toString(),
+                                   "Scenes and models (*.glb *.gltf *.obj *.off *.ply *.stl);;All files (*)");
+  if (file.isEmpty()) return;
+  QSettings().setValue("folder", text_of(path_of(file).parent_path()));
+  open(path_of(file));
+}
+
+// With a box that tells how far it has come and can be cancelled; false: it was.
+bool MainWindow::wait_for_cage() {
+  Workspace& workspace = editor_->workspace();
+  if (!workspace.has_to_wait_to_save()) return true;
+  QProgressDialog box("Making the cage that is to be saved ...", "Cancel", 0, 1000, this);
+  box.setWindowModality(Qt::WindowModal);
+  box.setMinimumDuration(400);
+  while (workspace.has_to_wait_to_save() && workspace.progress().is_solving && !box.wasCanceled()) {
+    box.setValue(static_cast<int>(999 * workspace.progress().fraction));
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  }
+  return !box.wasCanceled();
+}
+
+bool MainWindow::save() {
+  return wait_for_cage() && editor_->run({{"command", "save"}, {"path", editor_->workspace().path().string()}});
+}
+
+bool MainWindow::save_as() {
+  const QString file = QFileDialog::getSaveFileName(this, "Save as", text_of(editor_->workspace().path()),
+                                                    "glTF, binary (*.glb);;glTF, text (*.gltf)");
+  if (file.isEmpty() || !wait_for_cage()) return false;
+  autosave_->discard();
+  if (!editor_->run({{"command", "save"}, {"path", file.toStdString()}})) return false;
+  remember(path_of(file));
+  return true;
+}
+
+void MainWindow::export_cage() {
+  fs::path suggested = editor_->workspace().path();
+  suggested.replace_filename(suggested.stem().string() + "_cage.obj");
+  const QString file = QFileDialog::getSaveFileName(this, "Export the cage", text_of(suggested),
+                                                    "Meshes (*.obj *.off *.ply *.stl *.glb *.gltf)");
+  if (!file.isEmpty() && wait_for_cage()) editor_->run({{"command", "export_cage"}, {"path", file.toStdString()}});
+}
+
+void MainWindow::export_picture() {
+  fs::path suggested = editor_->workspace().path();
+  suggested.replace_extension(".png");
+  const QString file = QFileDialog::getSaveFileName(this, "Export a picture", text_of(suggested), "Pictures (*.png)");
+  if (file.isEmpty() || !wait_for_cage()) return;
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  editor_->run({{"command", "picture"}, {"path", file.toStdString()}});
+  QGuiApplication::restoreOverrideCursor();
+}
+
+void MainWindow::export_turntable() {
+  const QString folder = QFileDialog::getExistingDirectory(this, "Folder for the turntable's frames");
+  if (folder.isEmpty()) return;
+  bool is_given = false;
+  const int frames = QInputDialog::getInt(this, "Turntable", "Frames of one turn", 36, 2, 720, 1, &is_given);
+  if (!is_given || !wait_for_cage()) return;
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  editor_->run({{"command", "turntable"}, {"folder", folder.toStdString()}, {"frames", frames}});
+  QGuiApplication::restoreOverrideCursor();
+}
+
+void MainWindow::remember(const fs::path& path) {
+  QSettings settings;
+  QStringList recent = settings.value("recent").toStringList();
+  std::error_code none;
+  if (!fs::exists(path, none)) return;  // of a model that is not saved as a scene yet
+  recent.removeAll(text_of(path));
+  recent.prepend(text_of(path));
+  while (recent.size() > most_recent) recent.removeLast();
+  settings.setValue("recent", recent);
+}
+
+void MainWindow::fill_recent() {
+  recent_->clear();
+  const QStringList recent = QSettings().value("recent").toStringList();
+  for (const QString& file : recent)
+    connect(recent_->addAction(file), &QAction::triggered, this, [this, file] { open(path_of(file)); });
+  if (recent.isEmpty()) recent_->addAction("None yet")->setEnabled(false);
+}
+
+// As the text of a slides file, so that a text editor can take it, too.
+void MainWindow::copy_slides() {
+  editor_->attempt([this] {
+    QApplication::clipboard()->setText(
+        QString::fromStdString(editor_->workspace().copy_slides(editor_->workspace().selection())));
+  });
+}
+
+void MainWindow::paste_slides() {
+  const json copied = json::parse(QApplication::clipboard()->text().toStdString(), nullptr, false);
+  if (!copied.is_object() || !copied.contains("slides"))
+    return say_failure("The clipboard holds no slides: copy some first.");
+  editor_->run({{"command", "paste_slides"}, {"slides", copied["slides"]}});
+}
+
+}  // namespace cagewright::host

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/cli/run_script.h"
+
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "host/cli/exit_code.h"
+#include "host/cli/input_error.h"
+#include "host/cli/interrupt.h"
+#include "host/cli/text.h"
+#include "host/file/file_error.h"
+#include "host/file/strict_json.h"
+#include "host/plugin_client/find_plugin.h"
+#include "host/plugin_client/plugin_error.h"
+#include "host/view/picture.h"
+#include "host/workspace/script.h"
+
+namespace cagewright::host {
+namespace {
+
+bool is_blank(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first == std::string::npos || line[first] == '#';
+}
+
+// Not asked to enclose, a cage only has to be closed.
+bool is_good(const CageState& cage) {
+  if (cage.failed || !cage.certificate) return false;
+  if (cage.summary.last_stage < CGW_STAGE_ENCLOSE) return cage.certificate->closed;
+  return cage.certificate->encloses && cage.certificate->keeps_distance;
+}
+
+class ScriptRun {
+ public:
+  explicit ScriptRun(const ScriptCommandLine& command)
+      : name_(command.script == "-" ? "standard input" : command.script.string()),
+        workspace_(Plugin::load(find_plugin(command.plugin)),
+                   [this] {
+                     if (was_interrupted()) workspace_.interrupt_solve();
+                   }),
+        runner_(workspace_) {
+    runner_.interrupt_where(was_interrupted);
+  }
+
+  int run(std::istream& script) {
+    std::string line;
+    for (std::size_t number = 1; std::getline(script, line); ++number) {
+      if (is_blank(line)) continue;
+      const std::string place = name_ + ":" + std::to_string(number) + ": ";
+      try {
+        const HeededInterrupts heeded;  // by wake and between lines
+        run_line(line, place);
+        throw_if_interrupted();
+      } catch (const Cancelled&) {
+        std::cerr << "cagewright: " << one_line(place) << "cancelled; what was written before stays\n";
+        return exit_cancelled;
+      }
+    }
+    return is_good_ ? exit_done : exit_not_certified;
+  }
+
+ private:
+  // The line is named by file and number; that it is line 1 of itself is not for the user.
+  nlohmann::json parse(const std::string& line) const {
+    try {
+      return parse_strict_json(name_, line);
+    } catch (const FileError& error) {
+      const auto* at = std::get_if<Line>(&error.place());
+      throw ScriptError((at && at->column > 0 ? "column " + std::to_string(at->column) + ": " : "") + error.reason());
+    }
+  }
+
+  void run_line(const std::string& line, const std::string& place) {
+    try {
+      const nlohmann::json command = parse(line);
+      const nlohmann::json said = runner_.run(command);
+      using nlohmann::json;
+      // A path in it may be no UTF-8.
+      if (!said.empty()) std::cout << said.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+      judge(command["command"].get<std::string>());
+    } catch (const PluginError& error) {
+      throw_if_interrupted();
+      if (blame(error.status()) == Blame::program) throw;
+      throw InputError(place + error.what());
+    } catch (const PictureError& error) {
+      if (error.fault() == PictureFault::render) throw;
+      throw InputError(place + error.what());
+    } catch (const ScriptError& error) {
+      throw InputError(place + error.what());
+    } catch (const CommandError& error) {
+      throw InputError(place + error.what());
+    } catch (const FileError& error) {
+      throw InputError(place + error.what());
+    } catch (const PluginLoadError& error) {
+      throw InputError(place + error.what());
+    }
+  }
+
+  void judge(const std::string& command) {
+    static const std::set<std::string> judged = {"save", "export_cage", "wait", "report"};
+    if (judged.count(command) > 0 && workspace_.mesh_node() >= 0) is_good_ = is_good(workspace_.cage());
+  }
+
+  std::string name_;
+  Workspace workspace_;
+  ScriptRunner runner_;
+  bool is_good_ = true;
+};
+
+}  // namespace
+
+int run_script(const ScriptCommandLine& command) {
+  std::ifstream file;
+  if (command.script != "-") {
+    file.open(command.script);
+    if (!file || std::filesystem::is_directory(command.script)) {
+      throw InputError(command.script.string() + ": cannot be read as a script");
+    }
+  }
+  return ScriptRun(command).run(command.script == "-" ? std::cin : file);
+}
+
+}  // namespace cagewright::host

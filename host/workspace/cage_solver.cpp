@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/workspace/cage_solver.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "host/workspace/solved_cage.h"
+
+namespace cagewright::host {
+
+struct CageSolver::State {
+  std::shared_ptr<const Plugin> plugin;
+  std::function<void()> has_news;
+
+  mutable std::mutex mutex;  // of what follows
+  std::condition_variable changed;
+  std::optional<SolveRequest> waiting;
+  std::optional<SolveResult> result;
+  bool is_running = false, runs_for_editing = false, is_ending = false;
+  SolveProgress progress;
+  std::atomic<bool> is_cancelled = false;  // of what runs
+
+  // Of the thread alone.
+  std::unique_ptr<Session> session;
+  std::shared_ptr<const TriangleMesh> mesh;  // that the session has
+  std::thread thread;
+
+  void tell() const {
+    if (has_news) has_news();
+  }
+
+  bool goes_on(double fraction, const std::string& stage) {
+    constexpr double worth_telling = 0.01;
+    bool is_news = false;
+    {
+      const std::lock_guard lock(mutex);
+      is_news = stage != progress.stage || fraction >= progress.fraction + worth_telling;
+      if (is_news) progress = {true, fraction, stage};
+    }
+    if (is_news) tell();
+    return !is_cancelled;
+  }
+
+  void set_mesh(const SolveRequest& request) {
+    if (!session) {
+      SessionListener listener;
+      listener.may_continue = [this](double fraction, const std::string& stage) { return goes_on(fraction, stage); };
+      session = std::make_unique<Session>(plugin, std::move(listener));
+    }
+    if (mesh == request.mesh) return;
+    mesh.reset();
+    session->set_mesh(*request.mesh);
+    mesh = request.mesh;
+  }
+
+  void set_parameters(const SolveRequest& request) {
+    for (const Parameter& parameter : plugin->parameters()) {
+      double value = parameter.default_value;
+      for (const auto& [id, set] : request.parameters) {
+        if (id == parameter.id) value = set;
+      }
+      session->set_parameter(parameter.id, value);
+    }
+  }
+
+  void throw_if_cancelled() const {
+    if (is_cancelled) throw Cancelled();
+  }
+
+  SolveResult solve(const SolveRequest& request) {
+    SolveResult made{request.mesh_node, request.revision, false, {}};
+    const auto begin = std::chrono::steady_clock::now();
+    bool has_slides = false;
+    const auto fail = [&](std::vector<Problem> problems) {
+      made.state = {};
+      made.state.is_of_editing = request.editing;
+      made.state.failed = true;
+      made.state.problems = std::move(problems);
+    };
+    try {
+      set_mesh(request);
+      throw_if_cancelled();
+      set_parameters(request);
+      std::vector<Slide> slides;
+      for (const auto& [id, slide] : request.slides) slides.push_back(slide);
+      session->set_slides(slides);
+      has_slides = true;
+      session->solve(0, request.editing);
+      throw_if_cancelled();
+      made.state = read_cage_state(*plugin, *session, request);
+      made.state.problems = problems_of(made.state, request);
+      made.state.is_of_now = true;
+    } catch (const Cancelled&) {
+      made.was_cancelled = true;
+    } catch (const PluginError& error) {
+      fail(problems_of(error, has_slides ? session.get() : nullptr, request));
+    } catch (const std::bad_alloc&) {
+      fail({{"there is not enough memory for this cage", {}, {}}});
+    }
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    made.state.milliseconds = time.count();
+    return made;
+  }
+
+  void run() {
+    std::unique_lock lock(mutex);
+    while (true) {
+      changed.wait(lock, [this] { return is_ending || waiting; });
+      if (is_ending) return;
+      const SolveRequest request = std::move(*waiting);
+      waiting.reset();
+      is_running = true;
+      runs_for_editing = request.editing;
+      is_cancelled = false;
+      progress = {true, 0, ""};
+      lock.unlock();
+      tell();
+      SolveResult made = solve(request);
+      lock.lock();
+      is_running = false;
+      progress = {waiting.has_value(), 0, ""};
+      // A result that nobody has taken yet is more than none.
+      if (!made.was_cancelled || !result) result = std::move(made);
+      changed.notify_all();
+      lock.unlock();
+      tell();
+      lock.lock();
+    }
+  }
+};
+
+CageSolver::CageSolver(std::shared_ptr<const Plugin> plugin, std::function<void()> has_news)
+    : state_(std::make_unique<State>()) {
+  state_->plugin = std::move(plugin);
+  state_->has_news = std::move(has_news);
+  state_->thread = std::thread([state = state_.get()] { state->run(); });
+}
+
+CageSolver::~CageSolver() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->waiting.reset();
+    state_->is_ending = true;
+    state_->is_cancelled = true;
+  }
+  state_->changed.notify_all();
+  state_->thread.join();
+}
+
+void CageSolver::request(SolveRequest request) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->waiting = std::move(request);
+    if (state_->is_running && !state_->runs_for_editing) state_->is_cancelled = true;
+    state_->progress.is_solving = true;
+  }
+  state_->changed.notify_all();
+}
+
+void CageSolver::cancel() {
+  const std::lock_guard lock(state_->mutex);
+  state_->waiting.reset();
+  if (state_->is_running) state_->is_cancelled = true;
+  state_->progress.is_solving = state_->is_running;
+  state_->changed.notify_all();
+}
+
+std::optional<SolveResult> CageSolver::take_result() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->result, std::nullopt);
+}
+
+SolveProgress CageSolver::progress() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->progress;
+}
+
+void CageSolver::wait() {
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [this] { return !state_->is_running && !state_->waiting; });
+}
+
+}  // namespace cagewright::host

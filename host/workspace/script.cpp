@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/workspace/script.h"
+
+#include <algorithm>
+
+#include "host/file/file_error.h"
+#include "host/workspace/script_command.h"
+
+namespace cagewright::host {
+namespace {
+
+const std::vector<ScriptCommand>& table() {
+  static const std::vector<ScriptCommand> commands = [] {
+    std::vector<ScriptCommand> all;
+    for (const auto& some : {script_file_commands(), script_slide_commands(), script_edit_commands(),
+                             script_cage_commands(), script_picture_commands(), script_view_commands()}) {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+  }();
+  return commands;
+}
+
+const ScriptCommand& find_command(const ScriptJson& command) {
+  if (!command.is_object()) throw ScriptError("a command is an object, {\"command\": \"open\", ...}");
+  const auto name = command.find("command");
+  if (name == command.end() || !name->is_string()) {
+    throw ScriptError("a command needs its name, \"command\": \"open\"");
+  }
+  const auto found = std::ranges::find(table(), name->get<std::string>(),
+                                       [](const ScriptCommand& it) { return std::string(it.name); });
+  if (found == table().end()) throw ScriptError("there is no command " + in_quotes(name->get<std::string>()));
+  return *found;
+}
+
+}  // namespace
+
+const SceneSlide& ScriptContext::slide(const std::string& name) const {
+  const SceneSlide* slide = workspace.find_slide(name);
+  if (slide == nullptr) throw CommandError("there is no slide " + in_quotes(name) + " of this mesh");
+  return *slide;
+}
+
+std::vector<std::int64_t> ScriptContext::slides(const ScriptArguments& arguments, const char* name) const {
+  std::vector<std::int64_t> ids;
+  for (const std::string& slide_name : arguments.names(name)) {
+    const std::int64_t id = slide(slide_name).id;
+    if (std::ranges::find(ids, id) != ids.end()) arguments.fail("names " + in_quotes(slide_name) + " twice");
+    ids.push_back(id);
+  }
+  if (ids.empty()) arguments.fail("needs one slide at least");
+  return ids;
+}
+
+ScriptJson ScriptContext::names_of(const std::vector<std::int64_t>& ids) const {
+  ScriptJson names = ScriptJson::array();
+  for (const std::int64_t id : ids) names.push_back(workspace.document().find_slide(id)->name);
+  return {{"slides", std::move(names)}};
+}
+
+ScriptRunner::ScriptRunner(Workspace& workspace, ViewCommand view) : workspace_(workspace), view_(std::move(view)) {}
+
+nlohmann::json ScriptRunner::run(const nlohmann::json& command) {
+  const ScriptCommand& found = find_command(command);
+  const ScriptArguments arguments(command, found.name, found.arguments);
+  ScriptContext context{workspace_, clipboard_, is_interrupted_};
+  ScriptJson said = found.run(context, arguments);
+  if (found.is_of_view && view_) view_(command);
+  if (recorder_) recorder_(command);
+  return said.is_null() ? ScriptJson::object() : said;
+}
+
+void ScriptRunner::interrupt_where(std::function<bool()> is_interrupted) {
+  is_interrupted_ = std::move(is_interrupted);
+}
+
+void ScriptRunner::record(std::function<void(const nlohmann::json&)> recorder) { recorder_ = std::move(recorder); }
+
+std::vector<ScriptRunner::Description> ScriptRunner::commands() {
+  std::vector<Description> descriptions;
+  for (const ScriptCommand& command : table()) {
+    std::string arguments;
+    for (const ScriptArgument& argument : command.arguments) {
+      arguments += (arguments.empty() ? "" : "; ") + std::string(argument.name) + (argument.is_needed ? "" : "?") +
+                   ": " + script_kind_text(argument.kind);
+    }
+    descriptions.push_back({command.name, arguments, command.doc, command.is_of_view});
+  }
+  return descriptions;
+}
+
+}  // namespace cagewright::host
