@@ -94,7 +94,8 @@ std::vector<ScriptCommand> script_slide_commands() {
         {"center", Kind::point},
         {"u", Kind::point},
         {"v", Kind::point}},
-       "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of the "
+       "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of "
+       "the "
        "points alone), of a point (the plane across the limb there, or with that normal), or of an ellipse; says its "
        "name",
        add_slide},

@@ -204,8 +204,9 @@ typedef struct cgw_mesh_report {
 #define CGW_SLIDE_POINT_NORMAL \
   1                         /* the loop of that plane round, or nearest to, the point; the ellipse is fitted to it */
 #define CGW_SLIDE_ELLIPSE 2 /* centre and two radii as they are */
-#define CGW_SLIDE_POINT 3   /* a point on the surface: as POINT_NORMAL with the plane across the limb there. Since 1.3 \
-                             */
+#define CGW_SLIDE_POINT                                                                        \
+  3 /* a point on the surface: as POINT_NORMAL with the plane across the limb there. Since 1.3 \
+     */
 
 typedef struct cgw_slide_input {
   uint32_t struct_size;
