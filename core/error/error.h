@@ -56,7 +56,8 @@ class Error : public std::runtime_error {
   ErrorPlace place_;
 };
 
-// "(1.2, 0.4, 3)": a point as sentences show it, 6 significant digits.
+// "(1.2, 0.4, 3)": a point as sentences show it, 6 significant digits; what is 0 but for rounding, beside the largest
+// coordinate, is 0.
 std::string to_text(const Vector3& point);
 
 }  // namespace cagewright

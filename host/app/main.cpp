@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -26,6 +27,24 @@ constexpr int exit_usage = 2, exit_bad_input = 3, exit_internal = 4;
 struct Arguments {
   std::optional<std::string> scene, plugin, theme;
   bool takes_commands = false;
+};
+
+// What an event's handler throws is said in the window, which goes on: Qt would end the process.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  void on_failure(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
+  bool notify(QObject* receiver, QEvent* event) override {
+    try {
+      return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+      if (tell_) tell_(error.what());
+      return false;
+    }
+  }
+
+ private:
+  std::function<void(const std::string&)> tell_;
 };
 
 int say(int code, const std::string& sentence) {
@@ -52,19 +71,22 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
-  QApplication application(argc, argv);
+  Application application(argc, argv);
   QCoreApplication::setOrganizationName("cagewright");
   QCoreApplication::setApplicationName("cagewright");
   QCoreApplication::setApplicationVersion(CAGEWRIGHT_VERSION);
   MainWindow window(std::move(plugin));
   window.set_dark(arguments.theme ? *arguments.theme == "dark" : QSettings().value("dark", true).toBool());
+  application.on_failure([&window](const std::string& sentence) { window.say_failure(sentence); });
   window.restoreGeometry(QSettings().value("geometry").toByteArray());
   window.restoreState(QSettings().value("docks").toByteArray());
   window.show();
   std::optional<CommandPort> port;
   if (arguments.takes_commands) port.emplace(window);
   if (arguments.scene) window.open(*arguments.scene);
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  application.on_failure({});
+  return code;
 }
 
 }  // namespace

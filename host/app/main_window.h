@@ -40,6 +40,7 @@ class MainWindow : public QMainWindow {
   // Asks about unsaved changes, and whether an autosave is to be recovered.
   void open(const std::filesystem::path& path);
   void set_dark(bool dark);
+  void say_failure(const std::string& sentence);  // in the status line
   // Into that file; empty: stops.
   void record(const std::filesystem::path& path);
 
@@ -78,7 +79,6 @@ class MainWindow : public QMainWindow {
   void show_undo();
   void show_progress();
   void show_hint();
-  void say_failure(const std::string& sentence);
 
   bool may_lose_changes();
   void choose_file();
