@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <system_error>
+#include <utility>
 
 namespace cagewright::host {
 namespace fs = std::filesystem;
@@ -37,7 +38,7 @@ std::optional<fs::path> Autosave::recoverable(const fs::path& scene) {
 void Autosave::update(WorkspaceChange change) {
   const Workspace& workspace = editor_.workspace();
   if (change == WorkspaceChange::scene) {
-    timer_.stop();
+    discard();  // of the scene before: who was to be asked was asked
     scene_ = workspace.has_scene() ? workspace.path() : fs::path();
     return;
   }
@@ -55,6 +56,7 @@ void Autosave::write() {
   if (!editor_.workspace().has_scene() || editor_.workspace().is_saved()) return;
   try {
     editor_.workspace().save_copy(file_for(scene_));
+    is_ours_ = true;
   } catch (const std::exception& error) {
     if (tell_failure_) tell_failure_(std::string("The autosave failed: ") + error.what());
   }
@@ -62,7 +64,7 @@ void Autosave::write() {
 
 void Autosave::discard() {
   timer_.stop();
-  if (scene_.empty()) return;
+  if (!std::exchange(is_ours_, false)) return;
   std::error_code ignored;
   fs::remove(file_for(scene_), ignored);
 }

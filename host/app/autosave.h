@@ -21,9 +21,10 @@ class Autosave : public QObject {
   static std::filesystem::path file_for(const std::filesystem::path& scene);
   // Of an autosave that is newer than its scene, or whose scene is not there.
   static std::optional<std::filesystem::path> recoverable(const std::filesystem::path& scene);
-  // No autosave of the open scene any more.
+  // No autosave of the open scene any more, where this program has written or recovered one.
   void discard();
-  // A file that was recovered stays until the recovered scene is saved.
+  // The open scene is what was left of it: that stays until it is saved.
+  void keep_recovered() { is_ours_ = true; }
   void on_failure(std::function<void(const std::string&)> tell) { tell_failure_ = std::move(tell); }
 
  private:
@@ -32,8 +33,9 @@ class Autosave : public QObject {
 
   Editor& editor_;
   QTimer timer_;
-  int delay_ = 20000;
-  std::filesystem::path scene_;  // that written_ is of
+  int delay_ = 4000;
+  std::filesystem::path scene_;  // that is open
+  bool is_ours_ = false;         // its autosave was written or recovered here
   std::function<void(const std::string&)> tell_failure_;
 };
 

@@ -61,7 +61,7 @@ void CommandPort::answer(const std::string& line) {
   } catch (const std::exception& error) {
     reply = {{"ok", false}, {"error", error.what()}};
   }
-  std::cout << reply.dump() << std::endl;
+  std::cout << reply.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
 }
 
 json CommandPort::run(const json& command) {

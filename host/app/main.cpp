@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <clocale>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -72,6 +73,7 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   Application application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, and numbers in sentences would get commas
   QCoreApplication::setOrganizationName("cagewright");
   QCoreApplication::setApplicationName("cagewright");
   QCoreApplication::setApplicationVersion(CAGEWRIGHT_VERSION);

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
@@ -133,6 +134,7 @@ void MainWindow::make_status_line() {
 void MainWindow::update(WorkspaceChange change) {
   switch (change) {
     case WorkspaceChange::scene:
+      show_first_help();
       show_title();
       show_undo();
       break;
@@ -206,7 +208,6 @@ void MainWindow::say_failure(const std::string& sentence) {
 void MainWindow::set_dark(bool dark) {
   apply_theme(*qApp, dark);
   view_->set_dark(dark);
-  QSettings().setValue("dark", dark);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -220,12 +221,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) event->acceptProposedAction();
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
+// Opened when the drop is over: whoever dropped it does not wait for questions.
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  open(event->mimeData()->urls().first().toLocalFile().toStdString());
+  const QList<QUrl> urls = event->mimeData()->urls();
+  const QString file = urls.size() == 1 ? urls.first().toLocalFile() : QString();
+  if (!QFileInfo(file).isFile()) return say_failure("Drop one file: a scene or a model.");
+  QTimer::singleShot(0, this, [this, file] { open(file.toStdString()); });
 }
 
 }  // namespace cagewright::host

@@ -82,7 +82,9 @@ class MainWindow : public QMainWindow {
 
   bool may_lose_changes();
   void choose_file();
+  void finish_typing();
   bool wait_for_cage();
+  bool save_to(const std::filesystem::path& path);
   bool save();
   bool save_as();
   void export_cage();
@@ -96,6 +98,7 @@ class MainWindow : public QMainWindow {
   void run_script();
   void validate();
   void show_shortcuts();
+  void show_first_help();
   void finish_first_run();
 
   std::unique_ptr<Editor> editor_;

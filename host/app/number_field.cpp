@@ -32,6 +32,26 @@ void NumberField::set_value(double value) {
   setCursorPosition(0);
 }
 
+void NumberField::show(double value) {
+  if (!(isModified() && hasFocus())) set_value(value);
+}
+
+// Escape is the field's while it has the keys; undo is the window's where nothing was typed.
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape && isModified()) {
+      event->accept();
+      return true;
+    }
+    if (!isModified() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QLineEdit::event(event);
+}
+
 void NumberField::finish() {
   if (!isModified()) return;
   bool is_number = false;

@@ -17,10 +17,12 @@ class NumberField : public QLineEdit {
 
   void set_range(double least, double greatest, bool is_integer);
   void set_value(double value);  // tells nobody
+  void show(double value);       // the same, but not while another number is typed
   double value() const { return value_; }
   void on_edit(std::function<void(double)> edited) { edited_ = std::move(edited); }
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:

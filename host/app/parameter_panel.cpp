@@ -104,7 +104,7 @@ QWidget* ParameterPanel::make_field(const Parameter& parameter) {
   auto* number = new NumberField(fields_);
   number->set_range(parameter.minimum, parameter.maximum, parameter.type == CGW_PARAM_INTEGER);
   number->on_edit([this, id](double value) { set(id, value); });
-  show_[id] = [number](double value) { number->set_value(value); };
+  show_[id] = [number](double value) { number->show(value); };
   return number;
 }
 

@@ -76,18 +76,24 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   column->addWidget(figures_);
   column->addStretch();
   editor_.listen([this](WorkspaceChange change) {
-    if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh ||
-        change == WorkspaceChange::progress)
+    if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh)
       show_cage();
+    if (change == WorkspaceChange::progress) show_verdict();
   });
   show_cage();
 }
 
-void ReportPanel::show_cage() {
+void ReportPanel::show_verdict() {
   const CageState& cage = editor_.workspace().cage();
   const Verdict verdict = verdict_of(cage, editor_.workspace().progress().is_solving);
+  if (verdict_->text() == verdict.text) return;
   verdict_->setText(verdict.text);
   verdict_->setStyleSheet(QString("font-weight: bold; color: %1;").arg(verdict.colour));
+}
+
+void ReportPanel::show_cage() {
+  show_verdict();
+  const CageState& cage = editor_.workspace().cage();
   QString rows;
   if (!cage.cage.triangles.empty()) {
     rows = row("Cage triangles", QString::number(cage.cage.triangle_count())) +

@@ -18,6 +18,7 @@ class ReportPanel : public QWidget {
   ReportPanel(Editor& editor, QWidget* parent);
 
  private:
+  void show_verdict();
   void show_cage();
 
   Editor& editor_;

@@ -9,10 +9,22 @@ void ScriptRecorder::start(const std::filesystem::path& path) {
   stop();
   file_.open(path, std::ios::trunc);
   if (!file_) throw FileError(path, {}, "a script cannot be written here");
-  if (editor_.workspace().has_scene())
-    file_ << nlohmann::json{{"command", "open"}, {"path", editor_.workspace().path().string()}}.dump() << std::endl;
+  const auto write = [this](const nlohmann::json& command) {
+    file_ << command.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+  };
+  const Workspace& workspace = editor_.workspace();
+  if (workspace.has_scene()) {
+    std::filesystem::path scene = workspace.path();
+    if (!workspace.has_file() || !workspace.is_saved()) {  // no file holds it: one beside the script does
+      scene = path;
+      scene += ".glb";
+      workspace.save_copy(scene);
+    }
+    write({{"command", "open"}, {"path", scene.string()}});
+    if (workspace.mesh_node() >= 0) write({{"command", "select_mesh"}, {"node", workspace.mesh_node()}});
+  }
   // At once, so that a crash leaves what led to it.
-  editor_.script().record([this](const nlohmann::json& command) { file_ << command.dump() << std::endl; });
+  editor_.script().record(write);
 }
 
 void ScriptRecorder::stop() {

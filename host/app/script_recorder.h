@@ -14,7 +14,8 @@ class ScriptRecorder {
  public:
   explicit ScriptRecorder(Editor& editor) : editor_(editor) {}
 
-  // Begins with what leads to the open scene as it was read. Throws FileError where the file cannot be written.
+  // Begins with opening the scene as it is now: its file, or a copy beside the script. Throws FileError where the file
+  // cannot be written.
   void start(const std::filesystem::path& path);
   void stop();
   bool is_recording() const { return file_.is_open(); }

@@ -59,12 +59,18 @@ void SelectTool::release(const MousePoint& at) {
   editor_.workspace().clear_preview();
 }
 
-void SelectTool::hover(const MousePoint& at) { handles_.hover(at.x, at.y); }
+bool SelectTool::hover(const MousePoint& at) {
+  if (handles_.mode() == SlideHandles::Mode::none) return false;
+  const bool is_over = handles_.hover(at.x, at.y), was_over = was_over_handle_;
+  was_over_handle_ = is_over;
+  return is_over || was_over;
+}
 
-void SelectTool::cancel() {
-  if (!handles_.is_dragging()) return;
+bool SelectTool::cancel() {
+  if (!handles_.is_dragging()) return false;
   handles_.end();
-  editor_.workspace().clear_preview();
+  if (editor_.workspace().has_scene()) editor_.workspace().clear_preview();
+  return true;
 }
 
 QString SelectTool::hint() const {

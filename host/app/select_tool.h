@@ -18,11 +18,12 @@ class SelectTool : public Tool {
   bool press(const MousePoint& at) override;
   void drag(const MousePoint& at) override;
   void release(const MousePoint& at) override;
-  void hover(const MousePoint& at) override;
-  void cancel() override;
+  bool hover(const MousePoint& at) override;
+  bool cancel() override;
   QString hint() const override;
 
  private:
+  bool was_over_handle_ = false;
   void select(std::int64_t slide, const MousePoint& at);
 
   Editor& editor_;

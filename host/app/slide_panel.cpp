@@ -66,6 +66,7 @@ void SlidePanel::show_slide() {
   setEnabled(shown != nullptr);
   if (!shown) {
     name_->clear();
+    for (NumberField* field : findChildren<NumberField*>()) field->clear();
     state_->setText("Select a slide to see its numbers.");
     return;
   }
@@ -75,15 +76,15 @@ void SlidePanel::show_slide() {
     if (preview.id == shown->id) ellipse = preview.ellipse;
   const SlidePlacement placement = placement_of(ellipse);
   for (std::size_t i = 0; i < 3; ++i) {
-    translate_[i]->set_value(placement.translate[i]);
-    rotate_[i]->set_value(placement.rotate[i]);
+    translate_[i]->show(placement.translate[i]);
+    rotate_[i]->show(placement.rotate[i]);
   }
-  radii_[0]->set_value(placement.radius_u);
-  radii_[1]->set_value(placement.radius_v);
+  radii_[0]->show(placement.radius_u);
+  radii_[1]->show(placement.radius_v);
   QString state = shown->stroke.empty() ? "" : QString("Fitted to a stroke of %1 points.").arg(shown->stroke.size());
   const CageState& cage = editor_.workspace().cage();
   for (const Problem& problem : cage.problems)
-    if (std::find(problem.slides.begin(), problem.slides.end(), shown->id) != problem.slides.end())
+    if (cage.failed && std::find(problem.slides.begin(), problem.slides.end(), shown->id) != problem.slides.end())
       state = QString::fromStdString(problem.sentence);
   state_->setText(state);
 }

@@ -18,12 +18,13 @@ double distance(const MousePoint& a, const MousePoint& b) { return std::hypot(a.
 
 bool StrokeTool::press(const MousePoint& at) {
   if (!editor_.workspace().has_scene() || !editor_.workspace().plugin()) return false;
-  const std::optional<Hit> hit = view_.pick_model(at.x, at.y);
-  if (!hit) return false;
   is_drawing_ = true;
-  adds_ = !complete_ && at.shift && editor_.workspace().selection().size() == 1;
+  const std::vector<std::int64_t>& selection = editor_.workspace().selection();
+  adds_to_ = !complete_ && at.shift && selection.size() == 1 ? selection.front() : -1;
   first_ = last_ = at;
-  stroke_ = {hit->point};
+  farthest_ = 0;
+  stroke_.clear();
+  sample(at);
   return true;
 }
 
@@ -35,22 +36,30 @@ void StrokeTool::drag(const MousePoint& at) {
 }
 
 void StrokeTool::draw_to(const MousePoint& at) {
+  farthest_ = std::max(farthest_, distance(first_, at));
   const double length = distance(last_, at);
   if (length < sample_pixels) return;
   const int steps = static_cast<int>(std::ceil(length / sample_pixels));
   for (int i = 1; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
-    const std::optional<Hit> hit =
-        view_.pick_model(last_.x + share * (at.x - last_.x), last_.y + share * (at.y - last_.y));
-    if (hit) stroke_.push_back(hit->point);
+    sample({last_.x + share * (at.x - last_.x), last_.y + share * (at.y - last_.y)});
   }
   last_ = at;
 }
 
-bool StrokeTool::is_click() const { return distance(first_, last_) < click_pixels; }
+// A stroke may begin and end beside the limb, as that of a knife does.
+void StrokeTool::sample(const MousePoint& at) {
+  const std::optional<Hit> hit = view_.pick_model(at.x, at.y);
+  if (!hit) return;
+  if (stroke_.empty()) first_seen_ = at;
+  last_seen_ = at;
+  stroke_.push_back(hit->point);
+}
+
+bool StrokeTool::is_click() const { return farthest_ < click_pixels; }
 
 Point3 StrokeTool::line_of_sight() const {
-  return view_.ray((first_.x + last_.x) / 2, (first_.y + last_.y) / 2).direction;
+  return view_.ray((first_seen_.x + last_seen_.x) / 2, (first_seen_.y + last_seen_.y) / 2).direction;
 }
 
 // Nothing is said while the stroke is drawn: what cannot be fitted yet may be with the next point.
@@ -60,7 +69,7 @@ void StrokeTool::show_preview() {
   try {
     if (complete_) {
       workspace.set_preview({{-1, workspace.fit_across(stroke_, line_of_sight())}});
-    } else if (!adds_) {
+    } else if (adds_to_ < 0) {
       workspace.set_preview({{-1, workspace.fit({"stroke", Slide::Stroke{stroke_}})}});
     }
   } catch (const std::exception&) {
@@ -73,7 +82,12 @@ void StrokeTool::release(const MousePoint& at) {
   draw_to(at);
   is_drawing_ = false;
   view_.set_stroke({});
-  if (is_click()) {
+  if (stroke_.empty()) {
+    editor_.attempt([] {
+      throw CommandError(
+          "the stroke misses the model: draw across it; the right mouse button, or Alt and the left, turns the view");
+    });
+  } else if (is_click()) {
     finish_click();
   } else {
     finish_stroke();
@@ -84,8 +98,9 @@ void StrokeTool::release(const MousePoint& at) {
 void StrokeTool::finish_click() { editor_.run({{"command", "add_slide"}, {"point", stroke_.front()}}); }
 
 void StrokeTool::finish_stroke() {
-  if (adds_) {
-    editor_.run({{"command", "extend_stroke"}, {"slide", editor_.selected_names().front()}, {"points", stroke_}});
+  if (adds_to_ >= 0) {
+    if (const SceneSlide* slide = editor_.workspace().document().find_slide(adds_to_))
+      editor_.run({{"command", "extend_stroke"}, {"slide", slide->name}, {"points", stroke_}});
     return;
   }
   nlohmann::json command = {{"command", "add_slide"}, {"stroke", stroke_}};
@@ -94,11 +109,12 @@ void StrokeTool::finish_stroke() {
   editor_.run(command);
 }
 
-void StrokeTool::cancel() {
-  if (!is_drawing_) return;
+bool StrokeTool::cancel() {
+  if (!is_drawing_) return false;
   is_drawing_ = false;
   view_.set_stroke({});
-  editor_.workspace().clear_preview();
+  if (editor_.workspace().has_scene()) editor_.workspace().clear_preview();
+  return true;
 }
 
 QString StrokeTool::hint() const {

@@ -24,10 +24,11 @@ class StrokeTool : public Tool {
   bool press(const MousePoint& at) override;
   void drag(const MousePoint& at) override;
   void release(const MousePoint& at) override;
-  void cancel() override;
+  bool cancel() override;
   QString hint() const override;
 
  private:
+  void sample(const MousePoint& at);
   void draw_to(const MousePoint& at);
   void show_preview();
   void finish_click();
@@ -38,8 +39,11 @@ class StrokeTool : public Tool {
   Editor& editor_;
   SceneView& view_;
   bool complete_ = true;
-  bool is_drawing_ = false, adds_ = false;
+  bool is_drawing_ = false;
+  std::int64_t adds_to_ = -1;  // the slide whose stroke goes on; -1: a new one
   MousePoint first_, last_;
+  MousePoint first_seen_, last_seen_;  // of the stroke on the model
+  double farthest_ = 0;                // from first_, pixels
   std::vector<Point3> stroke_;
 };
 

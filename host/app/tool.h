@@ -21,8 +21,9 @@ class Tool {
   virtual bool press(const MousePoint& at) = 0;
   virtual void drag(const MousePoint& at) = 0;
   virtual void release(const MousePoint& at) = 0;
-  virtual void hover(const MousePoint&) {}
-  virtual void cancel() = 0;         // escape, and before another tool is taken: as if it had not begun
+  virtual bool hover(const MousePoint&) { return false; }  // whether it changes what is seen
+  // Escape, and before another tool is taken: as if it had not begun. False where it had not.
+  virtual bool cancel() = 0;
   virtual QString hint() const = 0;  // for the status line: the next step
 };
 

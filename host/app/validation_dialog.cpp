@@ -53,8 +53,9 @@ ValidationDialog::ValidationDialog(Editor& editor, QWidget* parent) : QDialog(pa
   connect(&process_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
           [this](int code, QProcess::ExitStatus status) { finish(code, status); });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart)
-      text_->appendPlainText("The program cannot be started: " + process_.program());
+    if (error != QProcess::FailedToStart) return;
+    text_->appendPlainText("The program cannot be started: " + process_.program());
+    start_->setText("&Start");
   });
 }
 
@@ -65,6 +66,8 @@ ValidationDialog::~ValidationDialog() {
 }
 
 void ValidationDialog::start() {
+  if (!editor_.workspace().plugin() || !editor_.workspace().has_scene())
+    return text_->setPlainText("There is no scene, or no plug-in, to validate.");
   const QString scene = folder_.filePath("scene.glb");
   if (!editor_.attempt([&] { editor_.workspace().save_copy(scene.toStdString()); })) return;
   text_->clear();

@@ -51,6 +51,7 @@ void ViewSync::update(WorkspaceChange change) {
 }
 
 void ViewSync::show_meshes() {
+  coloured_by_.reset();
   std::vector<ShownMesh> shown;
   if (workspace_.has_scene()) {
     const SceneDocument& document = workspace_.document();
@@ -99,12 +100,15 @@ void ViewSync::show_cage() {
   if (cage.cage.triangles.empty()) {
     view_.set_cage(nullptr);
     view_.set_outside({});
+    coloured_by_.reset();
     return;
   }
   ShownCage shown{cage.cage, {}, !cage.is_of_now || cage.failed};
   for (std::size_t i = 0; i < cage.sections.size(); ++i)
     if (i >= cage.sections_merged.size() || !cage.sections_merged[i]) shown.sections.push_back(cage.sections[i]);
   view_.set_cage(&shown);
+  if (cage.report == coloured_by_ || !cage.report) return;
+  coloured_by_ = cage.report;
   if (!cage.cut_model.triangles.empty()) view_.set_parts(cage.cut_model, cage.cut_model_parts);
   if (cage.certificate) view_.set_outside(cage.certificate->vertices_outside);
 }

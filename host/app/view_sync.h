@@ -2,6 +2,8 @@
 #ifndef CAGEWRIGHT_HOST_APP_VIEW_SYNC_H
 #define CAGEWRIGHT_HOST_APP_VIEW_SYNC_H
 
+#include <memory>
+
 #include "host/app/editor.h"
 #include "host/view/window/scene_view.h"
 #include "host/view/window/slide_handles.h"
@@ -26,6 +28,7 @@ class ViewSync {
   const Workspace& workspace_;
   SceneView& view_;
   SlideHandles& handles_;
+  std::shared_ptr<const Report> coloured_by_;  // of the whole cage whose parts and coverage are shown
 };
 
 }  // namespace cagewright::host

@@ -71,10 +71,15 @@ void ViewWidget::set_up_window() {
 }
 
 void ViewWidget::update(WorkspaceChange change) {
+  const bool is_drag_over = change == WorkspaceChange::slides && handles_->is_dragging() &&
+                            editor_.workspace().preview().empty();  // a command has come in between
+  if (change == WorkspaceChange::scene || change == WorkspaceChange::mesh || is_drag_over) cancel_tool();
   sync_->update(change);
   if (change == WorkspaceChange::scene) frame_all();
-  render_soon();
-  if (hint_changed_) hint_changed_();
+  const bool is_shown = change != WorkspaceChange::progress && change != WorkspaceChange::parameters &&
+                        change != WorkspaceChange::saved && change != WorkspaceChange::plugin;
+  if (is_shown) render_soon();
+  if (hint_changed_ && change != WorkspaceChange::progress) hint_changed_();
 }
 
 // Once for all that changes until the event loop comes round.
@@ -109,10 +114,11 @@ void ViewWidget::use_stroke_tool() {
   if (hint_changed_) hint_changed_();
 }
 
-void ViewWidget::cancel_tool() {
-  tool_->cancel();
+bool ViewWidget::cancel_tool() {
+  const bool was_busy = tool_->cancel();
   doing_ = Doing::nothing;
   render_soon();
+  return was_busy;
 }
 
 void ViewWidget::run(const nlohmann::json& command) {
@@ -229,14 +235,17 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+  // A dialog has taken the release.
+  if (doing_ != Doing::nothing && event->buttons() == Qt::NoButton) cancel_tool();
   const QPointF by = (event->localPos() - last_) * devicePixelRatioF();
   const MousePoint at = mouse_point(event->localPos(), event->modifiers());
   switch (doing_) {
     case Doing::nothing:
-      tool_->hover(at);
-      break;
+      if (tool_->hover(at)) render_soon();
+      last_ = event->localPos();
+      return;
     case Doing::tool:
-      tool_->drag(at);
+      editor_.attempt([&] { tool_->drag(at); });
       break;
     case Doing::tumble:
       camera_->tumble(by.x(), -by.y());
@@ -255,7 +264,7 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (event->buttons() != Qt::NoButton) return;
   if (std::exchange(doing_, Doing::nothing) == Doing::tool)
-    tool_->release(mouse_point(event->localPos(), event->modifiers()));
+    editor_.attempt([&] { tool_->release(mouse_point(event->localPos(), event->modifiers())); });
   render_soon();
   if (hint_changed_) hint_changed_();
 }

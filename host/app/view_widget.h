@@ -41,7 +41,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   bool is_drawing() const { return tool_ == stroke_tool_.get(); }
   QString hint() const { return tool_->hint(); }
   void on_hint(std::function<void()> changed) { hint_changed_ = std::move(changed); }
-  void cancel_tool();
+  bool cancel_tool();  // false: there was nothing to give up
 
   // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
   void run(const nlohmann::json& command);

@@ -9,10 +9,13 @@
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QSettings>
+#include <QTimer>
+#include <exception>
 #include <system_error>
 
 #include "host/app/main_window.h"
 #include "host/app/view_widget.h"
+#include "host/scene/scene_names.h"
 
 namespace cagewright::host {
 namespace {
@@ -37,26 +40,34 @@ void MainWindow::open(const fs::path& path) {
   if (!may_lose_changes()) return;
   const fs::path scene = fs::absolute(path);
   fs::path saved_as = scene;
-  const bool is_scene = scene.extension() == ".glb" || scene.extension() == ".gltf";
-  if (!is_scene) saved_as.replace_extension(".glb");
-  const std::optional<fs::path> left = Autosave::recoverable(saved_as);
+  if (!is_scene_name(scene)) saved_as.replace_extension(".glb");
+  std::optional<fs::path> left = Autosave::recoverable(saved_as);
+  if (editor_->workspace().has_scene() && editor_->workspace().path() == saved_as) left.reset();  // our own
   bool recovers = false;
   if (left) {
     const auto answer = QMessageBox::question(
         this, "Recover changes?",
         QString("The program ended before %1 was saved. Recover what was not saved?").arg(text_of(saved_as.filename())),
-        QMessageBox::Yes | QMessageBox::No, QMessageBox::Yes);
+        QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
+    if (answer == QMessageBox::Cancel) return;
     recovers = answer == QMessageBox::Yes;
   }
-  if (editor_->workspace().has_scene()) autosave_->discard();
   const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
                                 : editor_->run({{"command", "open"}, {"path", scene.string()}});
   if (!is_open) return;
   remember(scene);
-  if (left && !recovers) autosave_->discard();
-  for (const std::string& note : editor_->workspace().notes()) say_failure(note);
-  if (editor_->workspace().slides().empty() && !QSettings().value("knows_slides", false).toBool())
-    view_->show_help(first_help);
+  if (recovers) autosave_->keep_recovered();
+  std::error_code ignored;
+  if (left && !recovers) fs::remove(*left, ignored);
+  std::string notes;
+  for (const std::string& note : editor_->workspace().notes()) notes += (notes.empty() ? "" : "; ") + note;
+  if (!notes.empty()) say_failure(notes);
+}
+
+void MainWindow::show_first_help() {
+  const bool is_wanted = editor_->workspace().has_scene() && editor_->workspace().slides().empty() &&
+                         !QSettings().value("knows_slides", false).toBool();
+  view_->show_help(is_wanted ? first_help : "");
 }
 
 void MainWindow::finish_first_run() {
@@ -66,7 +77,14 @@ void MainWindow::finish_first_run() {
   }
 }
 
+// A number that is typed and not ended yet counts.
+void MainWindow::finish_typing() {
+  if (QWidget* typed_in = QApplication::focusWidget()) typed_in->clearFocus();
+  view_->setFocus();
+}
+
 bool MainWindow::may_lose_changes() {
+  finish_typing();
   if (!editor_->workspace().has_scene() || editor_->workspace().is_saved()) return true;
   const auto answer = QMessageBox::question(
       this, "Unsaved changes",
@@ -85,32 +103,48 @@ void MainWindow::choose_file() {
   open(path_of(file));
 }
 
-// With a box that tells how far it has come and can be cancelled; false: it was.
+// With a box that tells how far it has come and can be cancelled; false: it was, or another scene is open.
 bool MainWindow::wait_for_cage() {
+  finish_typing();
   Workspace& workspace = editor_->workspace();
   if (!workspace.has_to_wait_to_save()) return true;
+  const fs::path scene = workspace.path();
   QProgressDialog box("Making the cage that is to be saved ...", "Cancel", 0, 1000, this);
-  box.setWindowModality(Qt::WindowModal);
-  box.setMinimumDuration(400);
-  while (workspace.has_to_wait_to_save() && workspace.progress().is_solving && !box.wasCanceled()) {
+  box.setWindowModality(Qt::ApplicationModal);
+  box.show();
+  QTimer wake;
+  wake.start(50);
+  while (workspace.has_to_wait_to_save() && !box.wasCanceled()) {
     box.setValue(static_cast<int>(999 * workspace.progress().fraction));
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
-  return !box.wasCanceled();
+  return !box.wasCanceled() && workspace.has_scene() && workspace.path() == scene;
 }
 
 bool MainWindow::save() {
-  return wait_for_cage() && editor_->run({{"command", "save"}, {"path", editor_->workspace().path().string()}});
+  if (!wait_for_cage()) return false;
+  const Workspace& workspace = editor_->workspace();
+  std::error_code none;
+  // Of a model: what has that name already is another scene.
+  if (!workspace.has_file() && fs::exists(workspace.path(), none)) return save_as();
+  return save_to(workspace.path());
+}
+
+bool MainWindow::save_to(const fs::path& path) {
+  try {
+    editor_->run_or_throw({{"command", "save"}, {"path", path.string()}});
+  } catch (const std::exception& error) {
+    QMessageBox::warning(this, "Not saved", error.what());
+    return false;
+  }
+  remember(path);
+  return true;
 }
 
 bool MainWindow::save_as() {
   const QString file = QFileDialog::getSaveFileName(this, "Save as", text_of(editor_->workspace().path()),
                                                     "glTF, binary (*.glb);;glTF, text (*.gltf)");
-  if (file.isEmpty() || !wait_for_cage()) return false;
-  autosave_->discard();
-  if (!editor_->run({{"command", "save"}, {"path", file.toStdString()}})) return false;
-  remember(path_of(file));
-  return true;
+  return !file.isEmpty() && wait_for_cage() && save_to(path_of(file));
 }
 
 void MainWindow::export_cage() {

@@ -3,11 +3,15 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QTextBrowser>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 #include "host/app/main_window.h"
 #include "host/app/plugin_manager.h"
@@ -77,10 +81,7 @@ void MainWindow::make_file_menu() {
   for_scene(
       {"save_as", "Save &As ...", "Ctrl+Shift+S", "Saves the scene as another .glb or .gltf", [this] { save_as(); }});
   for_scene({"close_scene", "&Close Scene", "Ctrl+W", "Closes the scene", [this] {
-               if (may_lose_changes()) {
-                 autosave_->discard();
-                 editor_->run({{"command", "close"}});
-               }
+               if (may_lose_changes()) editor_->run({{"command", "close"}});
              }});
   menu.addSeparator();
   for_scene({"export_cage", "&Export Cage ...", "Ctrl+E", "Writes the cage alone", [this] { export_cage(); }});
@@ -186,7 +187,8 @@ void MainWindow::make_view_menu() {
   const char* axes[] = {"perspective", "front", "back", "left", "right", "top", "bottom"};
   for (int i = 0; i < 7; ++i)
     add_command(look, axes[i], QString("&%1 %2").arg(i).arg(axes[i]).toUtf8().constData(),
-                QString("Alt+%1").arg(i).toUtf8().constData(), "Looks from there",
+                QString("Alt+%1").arg(i).toUtf8().constData(),
+                QString("Looks from there: %1").arg(axes[i]).toUtf8().constData(),
                 {{"command", "look"}, {"axis", axes[i]}});
   const auto check = [&](const char* name, const char* text, const char* keys, const char* tip, bool on,
                          const std::function<json(bool)>& command) {
@@ -220,10 +222,15 @@ void MainWindow::make_view_menu() {
     check(name, text, "", "Whether it is drawn", true, [what = std::string(what)](bool on) {
       return json{{"command", "show"}, {"what", what}, {"on", on}};
     });
+  QMenu& panels = *menu.addMenu("Pa&nels");
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) panels.addAction(dock->toggleViewAction());
   menu.addSeparator();
   QAction* dark = add_check(menu, {"dark", "&Dark Theme", "", "Dark or light colours", [] {}}, true);
   dark->setChecked(QSettings().value("dark", true).toBool());
-  connect(dark, &QAction::toggled, this, [this](bool on) { set_dark(on); });
+  connect(dark, &QAction::toggled, this, [this](bool on) {
+    set_dark(on);
+    QSettings().setValue("dark", on);
+  });
 }
 
 void MainWindow::make_cage_menu() {
@@ -232,8 +239,8 @@ void MainWindow::make_cage_menu() {
               {{"command", "solve"}});
   QAction* cancel = add(
       menu, {"cancel_solve", "&Cancel", "Esc", "Gives up the stroke or drag, or stops the making of the cage", [this] {
-               view_->cancel_tool();
-               if (editor_->workspace().progress().is_solving) editor_->run({{"command", "cancel"}});
+               if (!view_->cancel_tool() && editor_->workspace().progress().is_solving)
+                 editor_->run({{"command", "cancel"}});
              }});
   for_scene_.push_back(cancel);
   menu.addSeparator();
@@ -273,14 +280,21 @@ void MainWindow::show_shortcuts() {
       rows += QString("<tr><td>%1&nbsp;&nbsp;&nbsp;</td><td>%2</td></tr>")
                   .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
                        action->statusTip().toHtmlEscaped());
-  QMessageBox box(this);
+  QDialog box(this);
+  box.setObjectName("keys");
   box.setWindowTitle("Keys and mouse");
-  box.setTextFormat(Qt::RichText);
-  box.setText(
+  box.resize(620, 640);
+  auto* text = new QTextBrowser(&box);
+  text->setHtml(
       "<p>Alt + left, middle, right mouse: tumble, track, dolly. Without Alt: middle tracks, right tumbles, the "
       "wheel goes nearer; left belongs to the tool, and turns the view where there is nothing for it.</p>"
       "<table>" +
       rows + "</table>");
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, &box);
+  connect(buttons, &QDialogButtonBox::rejected, &box, &QDialog::reject);
+  auto* column = new QVBoxLayout(&box);
+  column->addWidget(text);
+  column->addWidget(buttons);
   box.exec();
 }
 

@@ -24,7 +24,7 @@ void MainWindow::record(const std::filesystem::path& path) {
 
 void MainWindow::run_script() {
   const QString name = QFileDialog::getOpenFileName(this, "Run a script", "", "Scripts (*.jsonl);;All files (*)");
-  if (name.isEmpty()) return;
+  if (name.isEmpty() || !may_lose_changes()) return;
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly))
     return say_failure("The script cannot be read: " + file.errorString().toStdString());

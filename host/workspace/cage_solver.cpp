@@ -100,6 +100,8 @@ struct CageSolver::State {
       fail(problems_of(error, has_slides ? session.get() : nullptr, request));
     } catch (const std::bad_alloc&) {
       fail({{"there is not enough memory for this cage", {}, {}}});
+    } catch (const std::exception& error) {
+      fail({{std::string("the cage cannot be made: ") + error.what(), {}, {}}});
     }
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     made.state.milliseconds = time.count();

@@ -17,6 +17,7 @@ std::unique_ptr<OpenScene> OpenScene::read(const std::filesystem::path& path) {
     SceneDocument document(path, SceneDocument::Unreadable::stray);
     std::vector<std::string> notes = document.notes();
     scene = std::make_unique<OpenScene>(std::move(document), path, std::move(notes));
+    scene->has_file = true;
   } else {
     MeshFile file = read_mesh(path);
     std::filesystem::path scene_path = path;

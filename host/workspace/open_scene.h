@@ -38,6 +38,7 @@ class OpenScene {
   std::filesystem::path path;
   std::vector<std::string> notes;
   std::uint64_t saved_state = 0;  // of the stack
+  bool has_file = false;          // `path` was read or written: what is there is this scene
   int mesh_node = -1;
   std::vector<std::int64_t> selection;
   std::vector<PreviewSlide> preview;

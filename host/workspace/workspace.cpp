@@ -89,6 +89,8 @@ void Workspace::listen(Listener listener) { state_->listener = std::move(listene
 bool Workspace::has_scene() const { return state_->scene != nullptr; }
 const SceneDocument& Workspace::document() const { return state_->open_scene().document; }
 const CommandStack& Workspace::stack() const { return state_->open_scene().stack; }
+bool Workspace::has_file() const { return state_->scene && state_->scene->has_file; }
+
 bool Workspace::is_saved() const { return !state_->scene || state_->scene->is_saved(); }
 
 const std::filesystem::path& Workspace::path() const {

@@ -69,6 +69,7 @@ class Workspace {
   bool has_scene() const;
   const SceneDocument& document() const;          // precondition: has_scene()
   const std::filesystem::path& path() const;      // where save goes by default; empty: nothing is open
+  bool has_file() const;                          // what is at path(), if anything, is this scene; false: of a model
   bool is_saved() const;                          // nothing to lose
   const std::vector<std::string>& notes() const;  // of the last open: a sentence each
 

@@ -121,6 +121,7 @@ void Workspace::save(const std::filesystem::path& path) {
   write_scene(state_->with_cages(is_binary_scene_name(path)), path);
   open.path = path;
   open.saved_state = open.stack.state();
+  open.has_file = true;
   state_->tell(WorkspaceChange::saved);
 }
 
