@@ -29,6 +29,7 @@ QPalette dark_palette() {
   palette.setColor(QPalette::HighlightedText, Qt::white);
   for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, dim);
+  palette.setColor(QPalette::Disabled, QPalette::Light, window);  // no etched shadow
   return palette;
 }
 
