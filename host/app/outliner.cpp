@@ -2,7 +2,8 @@
 #include "host/app/outliner.h"
 
 #include <QHeaderView>
-#include <algorithm>
+
+#include "host/workspace/find_problem.h"
 
 namespace cagewright::host {
 namespace {
@@ -154,10 +155,8 @@ void Outliner::show_problems() {
   is_filling_ = true;
   const CageState& cage = editor_.workspace().cage();
   for (const auto& [id, item] : slides_) {
-    QString problem;
-    if (cage.failed)
-      for (const Problem& each : cage.problems)
-        if (std::find(each.slides.begin(), each.slides.end(), id) != each.slides.end()) problem = text(each.sentence);
+    const Problem* found = find_problem(cage, id);
+    const QString problem = found ? text(found->sentence) : QString();
     item->setForeground(0, problem.isEmpty() ? palette().text() : QBrush(QColor(0xff, 0x6b, 0x5e)));
     item->setToolTip(0, problem.isEmpty() ? item->text(0) : problem);
   }

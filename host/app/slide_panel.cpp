@@ -5,10 +5,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <algorithm>
 #include <limits>
 
 #include "host/app/number_field.h"
+#include "host/workspace/find_problem.h"
 
 namespace cagewright::host {
 
@@ -82,10 +82,8 @@ void SlidePanel::show_slide() {
   radii_[0]->show(placement.radius_u);
   radii_[1]->show(placement.radius_v);
   QString state = shown->stroke.empty() ? "" : QString("Fitted to a stroke of %1 points.").arg(shown->stroke.size());
-  const CageState& cage = editor_.workspace().cage();
-  for (const Problem& problem : cage.problems)
-    if (cage.failed && std::find(problem.slides.begin(), problem.slides.end(), shown->id) != problem.slides.end())
-      state = QString::fromStdString(problem.sentence);
+  if (const Problem* problem = find_problem(editor_.workspace().cage(), shown->id))
+    state = QString::fromStdString(problem->sentence);
   state_->setText(state);
 }
 

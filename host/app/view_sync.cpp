@@ -7,16 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "host/workspace/find_problem.h"
+
 namespace cagewright::host {
 namespace {
-
-// What is wrong with a slide; empty: nothing.
-std::string problem_of(const CageState& cage, std::int64_t id) {
-  if (!cage.failed) return "";
-  for (const Problem& problem : cage.problems)
-    if (std::find(problem.slides.begin(), problem.slides.end(), id) != problem.slides.end()) return problem.sentence;
-  return "";
-}
 
 const PreviewSlide* preview_of(const Workspace& workspace, std::int64_t id) {
   for (const PreviewSlide& slide : workspace.preview())
@@ -70,7 +64,8 @@ void ViewSync::show_slides() {
   if (workspace_.has_scene())
     for (const SceneSlide* slide : workspace_.slides()) {
       const bool is_selected = std::find(selection.begin(), selection.end(), slide->id) != selection.end();
-      const std::string problem = problem_of(workspace_.cage(), slide->id);
+      const Problem* found = find_problem(workspace_.cage(), slide->id);
+      const std::string problem = found ? found->sentence : "";
       const PreviewSlide* preview = preview_of(workspace_, slide->id);
       // A sentence about two slides stands beside the first of them.
       const bool is_said = !problem.empty() && said.insert(problem).second;
