@@ -188,6 +188,7 @@ void ViewWidget::set_dark(bool dark) {
 }
 
 void ViewWidget::show_help(const QString& text) {
+  if (help_->text() == text) return;
   help_->setText(text);
   help_->setVisible(!text.isEmpty());
   place_help();

@@ -520,6 +520,10 @@ class Working(WindowTest):
         window = self.open('biped.off')
         window.settle()
         self.assertTrue(window.ask(command='where', widget='help')['ok'])
+        window.key('d')  # what is drawn on must be seen
+        self.assertFalse(window.ask(command='where', widget='help')['ok'])
+        window.key('q')
+        self.assertTrue(window.ask(command='where', widget='help')['ok'])
         window.run('add_slide', point=[0.138, 0.3, 0.05])
         window.settle()
         self.assertFalse(window.ask(command='where', widget='help')['ok'])
