@@ -17,7 +17,7 @@ namespace cagewright::host {
 namespace {
 
 constexpr double wheel_notch = 120;  // of QWheelEvent's angle
-constexpr int help_width = 460;
+constexpr int help_width = 640, help_margin = 16;
 
 CameraControl::Axis axis_of(const std::string& name) {
   using Axis = CameraControl::Axis;
@@ -195,9 +195,10 @@ void ViewWidget::show_help(const QString& text) {
 }
 
 void ViewWidget::place_help() {
-  help_->setFixedWidth(std::min(help_width, std::max(120, width() - 32)));
+  help_->setFixedWidth(std::min(help_width, std::max(120, width() - 2 * help_margin)));
   help_->adjustSize();
-  help_->move((width() - help_->width()) / 2, 16);
+  // Below the model, beside the axes.
+  help_->move(width() - help_->width() - help_margin, height() - help_->height() - help_margin);
 }
 
 MousePoint ViewWidget::mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const {

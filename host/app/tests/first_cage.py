@@ -16,16 +16,17 @@ CAGE_TIMEOUT = 240
 
 
 class FirstCage:
-    """`seconds`: from taking the tool to the certified cage, less what the screenshots took."""
+    """`pace`: seconds before each stroke, as a person looks where it goes. `seconds`: from taking the tool to the
+    certified cage of all strokes, without screenshots and the mistake."""
 
-    def __init__(self, server, program, model, strokes):
+    def __init__(self, server, program, model, strokes, pace=0):
         with open(strokes, encoding='utf-8') as file:
             session = json.load(file)
         self.strokes, self.half = session['strokes'], session['half']
         self.mistake, self.side_to_show = session.get('mistake'), session['looks_good_from']
         self.server, self.program, self.model = server, program, model
         self.scene = os.path.splitext(model)[0] + '.glb'  # where Ctrl+S puts it
-        self.window, self.side, self.seconds = None, None, 0
+        self.window, self.side, self.pace, self.seconds = None, None, pace, 0
 
     def close(self):
         if self.window:
@@ -102,6 +103,7 @@ class FirstCage:
 
     def stroke(self, stroke, release=True):
         self.look(stroke['view'])
+        time.sleep(self.pace)
         x, y, width, height = self.window.view()
         assert abs(width / height / SHAPE - 1) < 0.03, 'the view is %d x %d: draw the strokes anew' % (width, height)
         self.window.drag([(x + width * right, y + height * down) for right, down in stroke['path']], release=release)

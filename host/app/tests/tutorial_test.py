@@ -4,7 +4,8 @@ saved is opened.
 
     python3 tutorial_test.py PROGRAM TESTDATA STROKES_FOLDER REAL_MODELS [unittest's arguments]
 
-REAL_MODELS may be empty. CAGEWRIGHT_KEEP_SHOTS=FOLDER keeps the screenshots."""
+REAL_MODELS may be empty. CAGEWRIGHT_KEEP_SHOTS=FOLDER keeps the screenshots; CAGEWRIGHT_STROKE_PACE=SECONDS waits before
+each stroke, as a person does."""
 import os
 import shutil
 import subprocess
@@ -29,7 +30,7 @@ def is_problem(r, g, b):
 
 
 def is_stroke(r, g, b):
-    return r > 170 and g < 150 and b < 150
+    return r > 235 and 205 < g < 240 and 95 < b < 135
 
 
 def setUpModule():
@@ -58,7 +59,8 @@ class FirstCageTest:
 
     def test_strokes_by_mouse_make_a_certified_cage_that_is_saved_and_opened_again(self):
         name = os.path.splitext(self.model)[0]
-        self.session = FirstCage(server, PROGRAM, path(self.model), os.path.join(STROKES, name + '.strokes.json'))
+        self.session = FirstCage(server, PROGRAM, path(self.model), os.path.join(STROKES, name + '.strokes.json'),
+                                 float(os.environ.get('CAGEWRIGHT_STROKE_PACE', 0)))
         self.addCleanup(self.session.close)
         self.assertEqual(len(self.session.strokes), self.strokes)
         seen = []
@@ -97,7 +99,7 @@ class FirstCageTest:
 
     def see_stroke(self):
         self.assertEqual(self.state['slides'], [])
-        self.assertGreater(self.count(is_stroke), 20)
+        self.assertGreater(self.count(is_stroke), 100)
         self.assertGreater(self.count(is_cage), 200)
 
     def see_first_slide(self):
