@@ -67,8 +67,9 @@ void Workspace::State::follow() {
     tell(WorkspaceChange::cage);
     return;
   }
-  if (std::exchange(node.shown.is_of_now, false)) tell(WorkspaceChange::cage);
+  const bool was_of_now = std::exchange(node.shown.is_of_now, false);
   if (solver) ask(scene->mesh_node, is_editing);
+  if (was_of_now) tell(WorkspaceChange::cage);
 }
 
 void Workspace::State::follow_others() {
