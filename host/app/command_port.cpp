@@ -124,6 +124,12 @@ json CommandPort::state() const {
                  {"is_of_editing", cage.is_of_editing},
                  {"failed", cage.failed},
                  {"certified", cage.certificate && cage.certificate->encloses}};
+  const SpeedMeter::Figures speed = window_.view().speed().figures();
+  all["speed"] = {{"cages", speed.cages},
+                  {"per_second", speed.cages_per_second},
+                  {"median_ms", speed.median_ms},
+                  {"percentile_95_ms", speed.percentile_95_ms},
+                  {"frame_ms", speed.frame_ms}};
   return all;
 }
 

@@ -5,12 +5,36 @@
 #include <utility>
 
 namespace cagewright::host {
+namespace {
+
+constexpr int seldom_ms = 200;
+
+}  // namespace
 
 Editor::Editor(std::shared_ptr<const Plugin> plugin, std::function<void()> wake, ScriptRunner::ViewCommand view)
     : workspace_(std::move(plugin), std::move(wake)), script_(workspace_, std::move(view)) {
-  workspace_.listen([this](WorkspaceChange change) {
-    for (const Listener& listener : listeners_) listener(change);
-  });
+  pending_timer_.setSingleShot(true);
+  pending_timer_.setInterval(seldom_ms);
+  QObject::connect(&pending_timer_, &QTimer::timeout, [this] { tell_pending(); });
+  workspace_.listen([this](WorkspaceChange change) { tell(change); });
+}
+
+void Editor::tell(WorkspaceChange change) {
+  for (const Listener& listener : listeners_) listener(change);
+  const bool is_of_drag = change == WorkspaceChange::slides || change == WorkspaceChange::cage;
+  if (is_of_drag && !workspace_.preview().empty()) {
+    pending_.insert(change);
+    if (!pending_timer_.isActive()) pending_timer_.start();
+    return;
+  }
+  tell_pending();
+  for (const Listener& listener : seldom_) listener(change);
+}
+
+void Editor::tell_pending() {
+  pending_timer_.stop();
+  for (const WorkspaceChange change : std::exchange(pending_, {}))
+    for (const Listener& listener : seldom_) listener(change);
 }
 
 bool Editor::run(const nlohmann::json& command) {

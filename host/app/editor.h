@@ -2,10 +2,12 @@
 #ifndef CAGEWRIGHT_HOST_APP_EDITOR_H
 #define CAGEWRIGHT_HOST_APP_EDITOR_H
 
+#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,9 @@ class Editor {
 
   using Listener = std::function<void(WorkspaceChange)>;
   void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
+  // The same for panels: while something is dragged, changes of slides and cage are told a few times a second only, the
+  // last of them always.
+  void listen_seldom(Listener listener) { seldom_.push_back(std::move(listener)); }
   void on_failure(std::function<void(const std::string& sentence)> tell) { tell_failure_ = std::move(tell); }
 
   std::vector<std::string> selected_names() const;
@@ -40,7 +45,12 @@ class Editor {
  private:
   Workspace workspace_;
   ScriptRunner script_;
-  std::vector<Listener> listeners_;
+  void tell(WorkspaceChange change);
+  void tell_pending();
+
+  std::vector<Listener> listeners_, seldom_;
+  std::set<WorkspaceChange> pending_;  // of seldom_
+  QTimer pending_timer_;
   std::function<void(const std::string&)> tell_failure_;
 };
 

@@ -189,9 +189,12 @@ void MainWindow::show_undo() {
 
 void MainWindow::show_progress() {
   const SolveProgress progress = editor_->workspace().progress();
-  progress_->setVisible(progress.is_solving);
-  cancel_->setVisible(progress.is_solving);
-  stage_->setVisible(progress.is_solving);
+  // A cage that follows the mouse is there before one has read of its progress.
+  const bool is_shown = progress.is_solving && editor_->workspace().preview().empty();
+  for (QWidget* widget :
+       {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_), static_cast<QWidget*>(stage_)})
+    widget->setVisible(is_shown);
+  if (!is_shown) return;
   progress_->setValue(static_cast<int>(1000 * progress.fraction));
   stage_->setText(QString::fromStdString(progress.stage));
 }

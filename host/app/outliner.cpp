@@ -32,7 +32,7 @@ Outliner::Outliner(Editor& editor, QWidget* parent) : QTreeWidget(parent), edito
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int) {
     if (item->type() == mesh_item) editor_.run({{"command", "select_mesh"}, {"node", item->data(0, id_role).toInt()}});
   });
-  editor_.listen([this](WorkspaceChange change) { update(change); });
+  editor_.listen_seldom([this](WorkspaceChange change) { update(change); });
 }
 
 void Outliner::update(WorkspaceChange change) {

@@ -10,7 +10,7 @@ ProblemsList::ProblemsList(Editor& editor, QWidget* parent) : QListWidget(parent
   setAlternatingRowColors(true);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { show_problem(row(item)); });
   connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { show_problem(row(item)); });
-  editor_.listen([this](WorkspaceChange change) {
+  editor_.listen_seldom([this](WorkspaceChange change) {
     if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh) fill();
   });
 }

@@ -75,7 +75,7 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   column->addWidget(plot_);
   column->addWidget(figures_);
   column->addStretch();
-  editor_.listen([this](WorkspaceChange change) {
+  editor_.listen_seldom([this](WorkspaceChange change) {
     if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh)
       show_cage();
     if (change == WorkspaceChange::progress) show_verdict();

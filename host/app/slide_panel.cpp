@@ -31,7 +31,7 @@ SlidePanel::SlidePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   state_->setObjectName("slide_state");
   state_->setWordWrap(true);
   form->addRow(state_);
-  editor_.listen([this](WorkspaceChange change) {
+  editor_.listen_seldom([this](WorkspaceChange change) {
     if (change != WorkspaceChange::progress) show_slide();
   });
   show_slide();

@@ -98,7 +98,9 @@ void ViewSync::show_cage() {
     coloured_by_.reset();
     return;
   }
-  ShownCage shown{cage.cage, {}, !cage.is_of_now || cage.failed};
+  // While something is dragged the cage is always a little behind, and would flicker.
+  const bool follows = cage.is_of_editing && !workspace_.preview().empty();
+  ShownCage shown{cage.cage, {}, cage.failed || !(cage.is_of_now || follows)};
   for (std::size_t i = 0; i < cage.sections.size(); ++i)
     if (i >= cage.sections_merged.size() || !cage.sections_merged[i]) shown.sections.push_back(cage.sections[i]);
   view_.set_cage(&shown);

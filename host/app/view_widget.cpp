@@ -18,6 +18,7 @@ namespace {
 
 constexpr double wheel_notch = 120;  // of QWheelEvent's angle
 constexpr int help_width = 640, help_margin = 16;
+constexpr int longest_wait_ms = 50;  // of a frame, for its cage
 
 CameraControl::Axis axis_of(const std::string& name) {
   using Axis = CameraControl::Axis;
@@ -51,6 +52,14 @@ ViewWidget::ViewWidget(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget
   help_->setAttribute(Qt::WA_TransparentForMouseEvents);
   help_->setStyleSheet("background: rgba(20, 22, 26, 215); color: #f0f0f2; border-radius: 6px; padding: 12px;");
   help_->hide();
+  late_frame_.setSingleShot(true);
+  late_frame_.setInterval(longest_wait_ms);
+  connect(&late_frame_, &QTimer::timeout, this, [this] { render_soon(); });
+  speed_label_ = new QLabel(this);
+  speed_label_->setObjectName("speed");
+  speed_label_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  speed_label_->setStyleSheet("background: rgba(20, 22, 26, 215); color: #f0f0f2; padding: 4px;");
+  speed_label_->hide();
   editor_.listen([this](WorkspaceChange change) { update(change); });
 }
 
@@ -78,20 +87,50 @@ void ViewWidget::update(WorkspaceChange change) {
   if (change == WorkspaceChange::scene) frame_all();
   const bool is_shown = change != WorkspaceChange::progress && change != WorkspaceChange::parameters &&
                         change != WorkspaceChange::saved && change != WorkspaceChange::plugin;
-  if (is_shown) render_soon();
+  if (is_shown) is_waiting_for_cage() ? render_with_cage() : render_soon();
   if (hint_changed_ && change != WorkspaceChange::progress) hint_changed_();
+}
+
+bool ViewWidget::is_waiting_for_cage() const {
+  const Workspace& workspace = editor_.workspace();
+  return doing_ == Doing::tool && !workspace.preview().empty() && workspace.progress().is_solving &&
+         workspace.cage().asked == drawn_;
+}
+
+// Slide and cage move together, in one frame, unless the cage takes too long.
+void ViewWidget::render_with_cage() {
+  if (!late_frame_.isActive()) late_frame_.start();
 }
 
 // Once for all that changes until the event loop comes round.
 void ViewWidget::render_soon() {
+  late_frame_.stop();
   if (render_is_due_) return;
   render_is_due_ = true;
   QTimer::singleShot(0, this, [this] {
     render_is_due_ = false;
-    camera_->update_clipping();
-    handles_->update();
-    window_->Render();
+    render();
   });
+}
+
+void ViewWidget::render() {
+  const auto begin = SpeedMeter::Clock::now();
+  camera_->update_clipping();
+  handles_->update();
+  window_->Render();
+  const CageState& cage = editor_.workspace().cage();
+  drawn_ = cage.asked;
+  if (doing_ != Doing::tool || !cage.is_of_editing) return;
+  const auto end = SpeedMeter::Clock::now();
+  speed_.add(cage.asked, end, end - begin);
+  show_speed();
+}
+
+void ViewWidget::show_speed() {
+  if (!speed_label_->isVisible()) return;
+  speed_label_->setText(QString::fromStdString(speed_text(speed_.figures())));
+  speed_label_->adjustSize();
+  speed_label_->move(width() - speed_label_->width() - 8, height() - speed_label_->height() - 8);
 }
 
 void ViewWidget::use_select_tool(SlideHandles::Mode mode) {
@@ -145,6 +184,10 @@ void ViewWidget::run(const nlohmann::json& command) {
     ViewOptions options = scene_->options();
     const std::string what = command.value("what", "");
     const bool on = command.value("on", true);
+    if (what == "speed") {
+      speed_label_->setVisible(on);
+      show_speed();
+    }
     if (what == "model") options.model = on;
     if (what == "slides") options.slides = on;
     if (what == "sections") options.sections = on;
@@ -232,6 +275,7 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
   if (doing_ != Doing::nothing) return;  // a second button while one is down
   last_ = event->localPos();
   doing_ = begin_of(*event);
+  if (doing_ == Doing::tool) speed_.begin();
   render_soon();
   if (hint_changed_) hint_changed_();
 }
@@ -260,7 +304,7 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
       break;
   }
   last_ = event->localPos();
-  render_soon();
+  is_waiting_for_cage() ? render_with_cage() : render_soon();
 }
 
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
@@ -282,6 +326,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
 void ViewWidget::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
   place_help();
+  show_speed();
 }
 
 // QVTKOpenGLNativeWidget hands mouse and keys to VTK's interactor, too, which would tumble and track for a second time.

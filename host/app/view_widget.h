@@ -5,12 +5,14 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+#include <QTimer>
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
 #include "host/app/editor.h"
 #include "host/app/select_tool.h"
+#include "host/app/speed_meter.h"
 #include "host/app/stroke_tool.h"
 #include "host/app/view_sync.h"
 #include "host/view/window/camera_control.h"
@@ -49,7 +51,8 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   void frame_selection();
   void frame_slide(const std::string& name);
   void frame_place(const Point3& place);
-  void show_help(const QString& text);  // over the view; empty: none
+  void show_help(const QString& text);                // over the view; empty: none
+  const SpeedMeter& speed() const { return speed_; }  // of the drag, or the last one
 
   void render_soon();
   void set_dark(bool dark);
@@ -74,6 +77,10 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   MousePoint mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
   Doing begin_of(const QMouseEvent& event);
   void place_help();
+  bool is_waiting_for_cage() const;
+  void render_with_cage();
+  void render();
+  void show_speed();
 
   Editor& editor_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
@@ -90,8 +97,11 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   Doing doing_ = Doing::nothing;
   QPointF last_;
   bool render_is_due_ = false;
+  QTimer late_frame_;
+  SpeedMeter::Clock::time_point drawn_;  // when the change was made that the drawn cage answers
   std::function<void()> hint_changed_;
-  QLabel* help_ = nullptr;
+  SpeedMeter speed_;
+  QLabel *help_ = nullptr, *speed_label_ = nullptr;
 };
 
 }  // namespace cagewright::host

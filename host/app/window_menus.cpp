@@ -222,6 +222,10 @@ void MainWindow::make_view_menu() {
     check(name, text, "", "Whether it is drawn", true, [what = std::string(what)](bool on) {
       return json{{"command", "show"}, {"what", what}, {"on", on}};
     });
+  check("show_speed", "Show Spee&d", "", "How many cages a second follow a drag, and how long one takes", false,
+        [](bool on) {
+          return json{{"command", "show"}, {"what", "speed"}, {"on", on}};
+        });
   QMenu& panels = *menu.addMenu("Pa&nels");
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels.addAction(dock->toggleViewAction());
   menu.addSeparator();

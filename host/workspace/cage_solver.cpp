@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/workspace/cage_solver.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -11,6 +12,13 @@
 #include "host/workspace/solved_cage.h"
 
 namespace cagewright::host {
+
+namespace {
+
+// One processor is left to whoever draws the cage.
+unsigned threads_while_editing() { return std::max(2u, std::thread::hardware_concurrency()) - 1; }
+
+}  // namespace
 
 struct CageSolver::State {
   std::shared_ptr<const Plugin> plugin;
@@ -38,7 +46,7 @@ struct CageSolver::State {
     bool is_news = false;
     {
       const std::lock_guard lock(mutex);
-      is_news = stage != progress.stage || fraction >= progress.fraction + worth_telling;
+      is_news = !runs_for_editing && (stage != progress.stage || fraction >= progress.fraction + worth_telling);
       if (is_news) progress = {true, fraction, stage};
     }
     if (is_news) tell();
@@ -89,7 +97,7 @@ struct CageSolver::State {
       for (const auto& [id, slide] : request.slides) slides.push_back(slide);
       session->set_slides(slides);
       has_slides = true;
-      session->solve(0, request.editing);
+      session->solve(request.editing ? threads_while_editing() : 0, request.editing);
       throw_if_cancelled();
       made.state = read_cage_state(*plugin, *session, request);
       made.state.problems = problems_of(made.state, request);
@@ -105,6 +113,7 @@ struct CageSolver::State {
     }
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     made.state.milliseconds = time.count();
+    made.state.asked = request.asked;
     return made;
   }
 

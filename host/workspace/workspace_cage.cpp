@@ -42,6 +42,7 @@ bool Workspace::State::ask(int mesh_node, bool editing) {
   try {
     SolveRequest request = request_for(mesh_node, editing);
     request.revision = ++last_request;
+    request.asked = std::chrono::steady_clock::now();
     asked[request.revision] = {mesh_node, editing, node.content};
     solver->request(std::move(request));
   } catch (const FileError& error) {
@@ -66,8 +67,9 @@ void Workspace::State::follow() {
     tell(WorkspaceChange::cage);
     return;
   }
-  if (std::exchange(node.shown.is_of_now, false)) tell(WorkspaceChange::cage);
+  const bool was_of_now = std::exchange(node.shown.is_of_now, false);
   if (solver) ask(scene->mesh_node, is_editing);
+  if (was_of_now) tell(WorkspaceChange::cage);
 }
 
 void Workspace::State::follow_others() {
@@ -93,6 +95,7 @@ void Workspace::State::take(SolveResult result) {
     last.problems = std::move(result.state.problems);
     last.failed = true;
     last.is_of_now = false;
+    last.asked = result.state.asked;
   } else {
     last = std::move(result.state);
     last.is_of_now = is_latest && content == node.content;

@@ -210,6 +210,11 @@ void CameraControl::update_clipping() {
     farthest = std::max(farthest, distance * 1e-3);
     nearest = std::max(nearest, kNearOverFar * farthest);
   }
+  // A range that will do stays: what hangs on the camera need not be drawn again for every small movement.
+  const double* range = renderer_.GetActiveCamera()->GetClippingRange();
+  const bool holds_all = range[0] <= nearest + slack / 2 && range[1] >= farthest - slack / 2;
+  const bool is_tight = range[1] - range[0] <= 1.1 * (farthest - nearest) && (now.is_orthographic || range[0] > 0);
+  if (holds_all && is_tight) return;
   renderer_.GetActiveCamera()->SetClippingRange(nearest, farthest);
 }
 

@@ -20,6 +20,7 @@
 #include "host/view/window/scene_view.h"
 #include "host/view/window/slide_actors.h"
 #include "host/view/window/slide_labels.h"
+#include "host/view/window/still_layer.h"
 #include "host/view/window/surface_actor.h"
 #include "host/view/window/vertex_marks.h"
 
@@ -51,6 +52,7 @@ struct SceneView::State {
   void before_frame();
   void fit_grid();
   void make_parts();
+  std::vector<vtkProp*> models() const;
   void colour_outside();
 
   vtkRenderer& renderer;
@@ -74,6 +76,7 @@ struct SceneView::State {
   LineActor stroke;
   vtkNew<vtkLight> light;
   vtkNew<vtkRenderStepsPass> pass;
+  vtkNew<StillLayer> still_layer;
   vtkNew<vtkCallbackCommand> frame_listener;
 };
 

@@ -63,6 +63,8 @@ SceneView::State::State(vtkRenderer& of)
   renderer.AddLight(light);
   // A renderer without passes of its own sorts what is translucent by the pixel: half of the frame's time without a
   // graphics card. Faces of one colour need no order.
+  still_layer->set_still([this] { return models(); });
+  pass->SetOpaquePass(still_layer);
   renderer.SetPass(pass);
   frame_listener->SetClientData(this);
   frame_listener->SetCallback(
@@ -121,6 +123,13 @@ void SceneView::State::make_parts() {
   parts->show_own_colours(true);
   renderer.AddActor(&parts->actor());
   apply_transform();
+}
+
+std::vector<vtkProp*> SceneView::State::models() const {
+  std::vector<vtkProp*> props;
+  for (const MeshEntry& entry : meshes) props.push_back(&entry.surface->actor());
+  if (parts != nullptr) props.push_back(&parts->actor());
+  return props;
 }
 
 void SceneView::State::colour_outside() {
