@@ -7,7 +7,7 @@
 namespace cagewright::host {
 namespace {
 
-constexpr int seldom_ms = 200;
+constexpr int seldom_ms = 300;
 
 }  // namespace
 

@@ -19,6 +19,7 @@ namespace {
 constexpr double wheel_notch = 120;  // of QWheelEvent's angle
 constexpr int help_width = 640, help_margin = 16;
 constexpr int longest_wait_ms = 50;  // of a frame, for its cage
+constexpr int speed_ms = 400;        // between texts that tell the speed: they take time themselves
 
 CameraControl::Axis axis_of(const std::string& name) {
   using Axis = CameraControl::Axis;
@@ -55,6 +56,9 @@ ViewWidget::ViewWidget(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget
   late_frame_.setSingleShot(true);
   late_frame_.setInterval(longest_wait_ms);
   connect(&late_frame_, &QTimer::timeout, this, [this] { render_soon(); });
+  speed_timer_.setSingleShot(true);
+  speed_timer_.setInterval(speed_ms);
+  connect(&speed_timer_, &QTimer::timeout, this, [this] { show_speed(); });
   speed_label_ = new QLabel(this);
   speed_label_->setObjectName("speed");
   speed_label_->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -123,7 +127,7 @@ void ViewWidget::render() {
   if (doing_ != Doing::tool || !cage.is_of_editing) return;
   const auto end = SpeedMeter::Clock::now();
   speed_.add(cage.asked, end, end - begin);
-  show_speed();
+  if (!speed_timer_.isActive()) speed_timer_.start();
 }
 
 void ViewWidget::show_speed() {

@@ -97,7 +97,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   Doing doing_ = Doing::nothing;
   QPointF last_;
   bool render_is_due_ = false;
-  QTimer late_frame_;
+  QTimer late_frame_, speed_timer_;
   SpeedMeter::Clock::time_point drawn_;  // when the change was made that the drawn cage answers
   std::function<void()> hint_changed_;
   SpeedMeter speed_;

@@ -28,7 +28,7 @@ struct CageSolver::State {
   std::condition_variable changed;
   std::optional<SolveRequest> waiting;
   std::optional<SolveResult> result;
-  bool is_running = false, runs_for_editing = false, is_ending = false;
+  bool is_running = false, runs_for_editing = false, is_waited_for = false, is_ending = false;
   SolveProgress progress;
   std::atomic<bool> is_cancelled = false;  // of what runs
 
@@ -117,10 +117,15 @@ struct CageSolver::State {
     return made;
   }
 
+  // A cage for editing that nobody has taken yet is not overtaken: the processor is the drawing's until then.
+  bool may_begin() const {
+    return waiting && !(waiting->editing && result && result->state.is_of_editing && !is_waited_for);
+  }
+
   void run() {
     std::unique_lock lock(mutex);
     while (true) {
-      changed.wait(lock, [this] { return is_ending || waiting; });
+      changed.wait(lock, [this] { return is_ending || may_begin(); });
       if (is_ending) return;
       const SolveRequest request = std::move(*waiting);
       waiting.reset();
@@ -181,8 +186,13 @@ void CageSolver::cancel() {
 }
 
 std::optional<SolveResult> CageSolver::take_result() {
-  const std::lock_guard lock(state_->mutex);
-  return std::exchange(state_->result, std::nullopt);
+  std::optional<SolveResult> taken;
+  {
+    const std::lock_guard lock(state_->mutex);
+    taken = std::exchange(state_->result, std::nullopt);
+  }
+  state_->changed.notify_all();
+  return taken;
 }
 
 SolveProgress CageSolver::progress() const {
@@ -192,7 +202,10 @@ SolveProgress CageSolver::progress() const {
 
 void CageSolver::wait() {
   std::unique_lock lock(state_->mutex);
+  state_->is_waited_for = true;
+  state_->changed.notify_all();
   state_->changed.wait(lock, [this] { return !state_->is_running && !state_->waiting; });
+  state_->is_waited_for = false;
 }
 
 }  // namespace cagewright::host

@@ -35,7 +35,8 @@ struct SolveResult {
 };
 
 // Solves on a thread of its own, the latest request first and only: one that waits is replaced by the next. A whole
-// solve that is running is cancelled by any request; one for editing is finished, so that the cage follows a drag.
+// solve that is running is cancelled by any request; one for editing is finished, so that the cage follows a drag, and
+// the next one begins when its result has been taken.
 class CageSolver {
  public:
   // `has_news` is called on the solver's thread after progress or a result; it may only wake the owner's.

@@ -233,6 +233,27 @@ class Editing(WindowTest):
         window.wait_until(lambda s: s['selection'] == ['waist'], 'selected')
         self.assertGreater(window.shot('selected').count(window.view(), is_selected), 20)
 
+    def test_the_cage_follows_a_drag_and_its_speed_is_shown(self):
+        window = self.open()
+        window.settle()
+        self.select(window, 'left_knee')
+        window.run('show', what='speed', on=True)
+        window.key('w')
+        time.sleep(0.3)
+        at = window.where(handle=2)
+        path = [(at['x'] + 3 * (i % 2), at['y'] + 2 * (i % 3)) for i in range(40)]
+        window.drag(path, pause=0.02, release=False)
+        state = window.wait_until(lambda s: s['speed']['cages'] > 3, 'cages follow')
+        self.assertTrue(state['cage']['is_of_editing'])
+        self.assertGreater(state['speed']['per_second'], 1)
+        self.assertGreater(state['speed']['percentile_95_ms'], state['speed']['frame_ms'] / 2)
+        time.sleep(0.6)
+        self.assertRegex(window.where(widget='speed')['text'], r'^cage \d+/s, \d+ ms \(95 %: \d+ ms\), frame \d+ ms$')
+        window.shot('speed')
+        window.release()
+        self.assertTrue(window.settle()['cage']['certified'])
+        self.assertGreater(window.state()['speed']['cages'], 3)
+
     def test_a_drag_of_a_handle_moves_the_slide_in_one_step_of_undo(self):
         window = self.open()
         window.settle()

@@ -35,7 +35,10 @@ std::vector<double> look_of(vtkRenderer& renderer, const std::vector<vtkProp*>& 
   renderer.GetLights()->InitTraversal(place);
   while (vtkLight* light = renderer.GetLights()->GetNextLight(place))
     look.push_back(static_cast<double>(light->GetMTime()));
-  for (vtkProp* prop : still) look.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  for (vtkProp* prop : still) {
+    look.push_back(prop->GetVisibility());
+    look.push_back(static_cast<double>(prop->GetRedrawMTime()));
+  }
   return look;
 }
 
@@ -48,7 +51,7 @@ bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOp
   from.ActivateReadBuffer(0);
   to.Bind(GL_DRAW_FRAMEBUFFER);
   to.ActivateDrawBuffer(0);
-  const int extent[4] = {0, size[0] - 1, 0, size[1] - 1};
+  const int extent[4] = {0, size[0], 0, size[1]};  // the ends are not of it
   while (glGetError() != GL_NO_ERROR) continue;  // of others
   vtkOpenGLFramebufferObject::Blit(extent, extent, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   const bool is_copied = glGetError() == GL_NO_ERROR;
@@ -60,13 +63,24 @@ bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOp
 
 vtkStandardNewMacro(StillLayer);
 
-void StillLayer::draw(const vtkRenderState& state, std::vector<vtkProp*>& props) {
+void StillLayer::draw(const vtkRenderState& state, Props& props) {
   vtkRenderState some(state.GetRenderer());
   some.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   some.SetFrameBuffer(state.GetFrameBuffer());
   some.SetRequiredKeys(state.GetRequiredKeys());
   opaque_->Render(&some);
   NumberOfRenderedProps += opaque_->GetNumberOfRenderedProps();
+}
+
+bool StillLayer::can_keep(vtkRenderer& renderer) const {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer.GetRenderWindow());
+  const int *size = renderer.GetSize(), *all = renderer.GetRenderWindow()->GetSize();
+  return driver_copies_ && window && window->GetRenderFramebuffer() && window->GetMultiSamples() == 0 &&
+         size[0] == all[0] && size[1] == all[1];
+}
+
+bool StillLayer::covers(vtkRenderer& renderer) const {
+  return !kept_look_.empty() && can_keep(renderer) && look_of(renderer, still_ ? still_() : Props()) == kept_look_;
 }
 
 // Depths can be copied between buffers of one format only: that of vtkOpenGLRenderWindow.
@@ -85,26 +99,23 @@ bool StillLayer::make_room(vtkOpenGLRenderWindow& window, const int* size) {
 
 void StillLayer::Render(const vtkRenderState* state) {
   NumberOfRenderedProps = 0;
-  vtkRenderer* renderer = state->GetRenderer();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const std::vector<vtkProp*> named = still_ ? still_() : std::vector<vtkProp*>();
-  std::vector<vtkProp*> still, moving;
+  vtkRenderer& renderer = *state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer.GetRenderWindow());
+  const Props named = still_ ? still_() : Props();
+  Props still, moving;
   for (int i = 0; i < state->GetPropArrayCount(); ++i) {
     vtkProp* prop = state->GetPropArray()[i];
     (std::find(named.begin(), named.end(), prop) == named.end() ? moving : still).push_back(prop);
   }
-  const int* size = renderer->GetSize();
-  const int* all = renderer->GetRenderWindow()->GetSize();
-  const bool can_keep = window && window->GetRenderFramebuffer() && window->GetMultiSamples() == 0 &&
-                        size[0] == all[0] && size[1] == all[1] && driver_copies_;
-  Look look = can_keep ? look_of(*renderer, still) : Look();
-  if (can_keep && look == kept_look_) {
+  Look look = can_keep(renderer) ? look_of(renderer, named) : Look();
+  const int* size = renderer.GetSize();
+  if (!look.empty() && look == kept_look_) {
     copy(*window, *kept_, *window->GetRenderFramebuffer(), size);
     ++frames_saved_;
   } else {
     draw(*state, still);
     // What changes with every frame, as when the view is turned, is not worth keeping.
-    if (can_keep && look == look_ && make_room(*window, size)) {
+    if (!look.empty() && look == look_ && make_room(*window, size)) {
       driver_copies_ = copy(*window, *window->GetRenderFramebuffer(), *kept_, size);
       kept_look_ = driver_copies_ ? look : Look();
     }

@@ -32,6 +32,8 @@ class StillLayer : public vtkRenderPass {
   // Of frames so far, for which the models were not drawn.
   int frames_saved() const { return frames_saved_; }
 
+  // Whether the next frame will be covered by what is kept, so that the renderer need not clear it.
+  bool covers(vtkRenderer& renderer) const;
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -42,7 +44,10 @@ class StillLayer : public vtkRenderPass {
  private:
   using Look = std::vector<double>;  // everything that the picture depends on
 
-  void draw(const vtkRenderState& state, std::vector<vtkProp*>& props);
+  using Props = std::vector<vtkProp*>;
+
+  void draw(const vtkRenderState& state, Props& props);
+  bool can_keep(vtkRenderer& renderer) const;
   bool make_room(vtkOpenGLRenderWindow& window, const int* size);
 
   vtkNew<vtkOpaquePass> opaque_;
