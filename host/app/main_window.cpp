@@ -26,6 +26,7 @@
 #include "host/app/slide_panel.h"
 #include "host/app/theme.h"
 #include "host/app/view_widget.h"
+#include "host/workspace/slide_names.h"
 
 namespace cagewright::host {
 namespace {
@@ -68,7 +69,10 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin) {
   make_menus();
   make_tool_bar();
   make_status_line();
-  view_->on_hint([this] { show_hint(); });
+  view_->on_hint([this] {
+    show_hint();
+    show_first_help();
+  });
   editor_->listen([this](WorkspaceChange change) { update(change); });
   for (const WorkspaceChange change : {WorkspaceChange::scene, WorkspaceChange::progress}) update(change);
   view_->setFocus();
@@ -174,7 +178,7 @@ void MainWindow::show_undo() {
   const Workspace& workspace = editor_->workspace();
   const bool has_scene = workspace.has_scene();
   const auto show = [&](QAction* action, const QString& word, const std::string& label) {
-    action->setText(label.empty() ? word : QString("%1 %2").arg(word, QString::fromStdString(label)));
+    action->setText(label.empty() ? word : QString("%1 %2").arg(word, QString::fromStdString(without_echo(label))));
     action->setEnabled(!label.empty());
   };
   show(undo_, "&Undo", has_scene ? workspace.stack().undo_label() : "");
@@ -198,13 +202,15 @@ void MainWindow::show_progress() {
 void MainWindow::show_hint() {
   const Workspace& workspace = editor_->workspace();
   if (!hint_) return;
-  hint_->setText(!workspace.has_scene() ? "Open a model or scene: File > Open, or drop a file on the window."
-                 : !workspace.plugin()  ? "No plug-in is loaded: File > Plug-ins loads one."
-                                        : view_->hint());
+  hint_->setText(!workspace.has_scene()    ? "Open a model or scene: File > Open, or drop a file on the window."
+                 : !workspace.plugin()     ? "No plug-in is loaded: File > Plug-ins loads one."
+                 : workspace.cage().failed ? "These slides give no cage: click the sentence under Problems to see "
+                                             "where. Ctrl+Z takes the last step back."
+                                           : view_->hint());
 }
 
 void MainWindow::say_failure(const std::string& sentence) {
-  statusBar()->showMessage(QString::fromStdString(sentence), failure_ms);
+  statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), failure_ms);
   QApplication::beep();
 }
 

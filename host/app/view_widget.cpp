@@ -17,7 +17,7 @@ namespace cagewright::host {
 namespace {
 
 constexpr double wheel_notch = 120;  // of QWheelEvent's angle
-constexpr int help_width = 460;
+constexpr int help_width = 640, help_margin = 16;
 constexpr int longest_wait_ms = 50;  // of a frame, for its cage
 constexpr int speed_ms = 400;        // between texts that tell the speed: they take time themselves
 
@@ -235,15 +235,17 @@ void ViewWidget::set_dark(bool dark) {
 }
 
 void ViewWidget::show_help(const QString& text) {
+  if (help_->text() == text) return;
   help_->setText(text);
   help_->setVisible(!text.isEmpty());
   place_help();
 }
 
 void ViewWidget::place_help() {
-  help_->setFixedWidth(std::min(help_width, std::max(120, width() - 32)));
+  help_->setFixedWidth(std::min(help_width, std::max(120, width() - 2 * help_margin)));
   help_->adjustSize();
-  help_->move((width() - help_->width()) / 2, 16);
+  // Below the model, beside the axes.
+  help_->move(width() - help_->width() - help_margin, height() - help_->height() - help_margin);
 }
 
 MousePoint ViewWidget::mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const {

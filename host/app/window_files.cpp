@@ -65,8 +65,9 @@ void MainWindow::open(const fs::path& path) {
 }
 
 void MainWindow::show_first_help() {
+  // It would cover what is drawn on; the line at the bottom goes on with what it says.
   const bool is_wanted = editor_->workspace().has_scene() && editor_->workspace().slides().empty() &&
-                         !QSettings().value("knows_slides", false).toBool();
+                         !view_->is_drawing() && !QSettings().value("knows_slides", false).toBool();
   view_->show_help(is_wanted ? first_help : "");
 }
 

@@ -14,6 +14,16 @@ bool is_letter(const std::string& text, std::size_t at) {
 
 }  // namespace
 
+std::string without_echo(std::string sentence) {
+  for (const std::string quote : {"'", "\""}) {
+    const std::string echo = "slide " + quote + "slide ";
+    const std::size_t word = std::string("slide ").size();
+    for (std::size_t at = 0; (at = sentence.find(echo, at)) != std::string::npos; at += echo.size() - word)
+      sentence.erase(at, word);
+  }
+  return sentence;
+}
+
 SlideNames::SlideNames(const std::vector<const SceneSlide*>& slides) {
   for (const SceneSlide* slide : slides) taken_.insert(slide->name);
 }

@@ -10,6 +10,10 @@
 
 namespace cagewright::host {
 
+// A sentence without the word "slide" where the name that follows says it: "'slide 5' meets slide 'knee'" for "slide
+// 'slide 5' meets slide 'knee'".
+std::string without_echo(std::string sentence);
+
 // The names that are taken under a mesh node, and free ones. Each that is given out is taken.
 class SlideNames {
  public:

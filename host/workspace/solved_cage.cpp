@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/workspace/describe_run.h"
+#include "host/workspace/slide_names.h"
 
 namespace cagewright::host {
 namespace {
@@ -91,6 +92,7 @@ std::vector<Problem> problems_of(const PluginError& error, const Session* sessio
     }
   }
   problems.insert(problems.begin(), std::move(first));
+  for (Problem& problem : problems) problem.sentence = without_echo(std::move(problem.sentence));
   return problems;
 }
 
@@ -103,6 +105,7 @@ std::vector<Problem> problems_of(const CageState& state, const SolveRequest& req
   for (const auto& [id, slide] : request.slides) {
     if (names(problem.sentence, slide.name)) problem.slides.push_back(id);
   }
+  problem.sentence = without_echo(std::move(problem.sentence));
   if (!state.certificate->vertices_outside.empty() && request.mesh) {
     const std::size_t row = 3 * std::size_t{state.certificate->vertices_outside.front()};
     const std::vector<double>& points = request.mesh->points;

@@ -43,6 +43,13 @@ class Picture:
                 total += sum(1 for i in range(0, len(a), 3) if a[i:i + 3] != b[i:i + 3])
         return total
 
+    def part(self, rectangle):
+        """The picture within (x, y, width, height)."""
+        x, y, width, height = rectangle
+        rows = (self.pixels[3 * (row * self.width + x):3 * (row * self.width + x + width)]
+                for row in range(y, y + height))
+        return Picture(width, height, b''.join(rows))
+
     def save(self, path):
         """As PNG, for people to look at."""
         header = b'P6 %d %d 255\n' % (self.width, self.height)

@@ -335,13 +335,16 @@ TEST_F(SceneLook, LinesAndLabelsGrowWithTheWindowsDpi) {
   EXPECT_GT(static_cast<double>(draw("144").count(is_yellow)), 1.7 * narrow);
 }
 
-TEST_F(SceneLook, BoundsAreOfTheSceneAndOfSlidesAsked) {
+TEST_F(SceneLook, BoundsAreOfTheSceneWithoutItsCageAndOfSlidesAsked) {
   EXPECT_FALSE(view->bounds().has_value());
   EXPECT_FALSE(view->bounds_of_place({0, 0, 0}).has_value());
   ShownMesh mesh = shown(box_mesh(1));
   mesh.to_scene = product(translation(10, 0, 0), scaling(1, 2, -3));
   view->set_meshes({mesh});
   EXPECT_EQ(*view->bounds(), (std::array<double, 6>{9, 11, -2, 2, -3, 3}));
+  const ShownCage cage = box_cage(9);
+  view->set_cage(&cage);
+  EXPECT_EQ(*view->bounds(), (std::array<double, 6>{9, 11, -2, 2, -3, 3})) << "of meshes and slides alone";
   view->set_slides({level_slide(7, 0.5, 1), level_slide(8, 0.25, -1)});
   const auto slide = *view->bounds_of_slides({7});
   const std::array<double, 6> expected{9.5, 10.5, 2, 2, -1.5, 1.5};

@@ -177,10 +177,6 @@ std::optional<std::array<double, 6>> SceneView::bounds() const {
   for (const MeshEntry& entry : state_->meshes) box.extend(entry.bounds);
   const Eigen::Matrix4d to_scene = state_->active_to_scene();
   for (const ShownSlide& slide : state_->slides) extend(box, slide.ellipse, to_scene);
-  if (state_->cage) {
-    const auto& points = state_->cage->mesh.points;
-    for (std::size_t i = 0; i < points.size(); i += 3) box.extend(transformed(to_scene, Vector3d(&points[i])));
-  }
   return to_bounds(box);
 }
 

@@ -88,7 +88,8 @@ class SceneView {
   std::array<double, 2> to_display(const Point3& point) const;  // of the active mesh's space
   Matrix4 active_to_scene() const;                              // identity where no mesh is active
 
-  // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there.
+  // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there. Of meshes and slides alone: what is
+  // framed does not depend on how far the cage has come.
   std::optional<std::array<double, 6>> bounds() const;
   std::optional<std::array<double, 6>> bounds_of_slides(const std::vector<std::int64_t>& ids) const;
   std::optional<std::array<double, 6>> bounds_of_place(const Point3& place) const;  // a small box round it
