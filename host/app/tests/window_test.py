@@ -5,12 +5,14 @@
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+from random import Random
 
 from window_driver import SCREEN, Server, Window, is_green, is_red, is_selected
 
@@ -421,6 +423,56 @@ class Files(WindowTest):
         again.key('ctrl+s')
         again.wait_until(lambda s: s['saved'], 'the recovered scene is saved')
         self.assertFalse(os.path.exists(saved))
+
+    def test_killed_at_any_time_it_has_lost_no_more_than_the_last_five_seconds(self):
+        seed = int.from_bytes(os.urandom(4), 'little')
+        random = Random(seed)
+        shutil.copy(path('biped.glb'), path('killed.glb'))
+        home = tempfile.mkdtemp(prefix='cagewright-home-')
+        self.addCleanup(shutil.rmtree, home, True)
+        window = self.open('killed.glb', home=home)
+        window.settle()
+        window.run('set_parameter', id='refine.delta', value=0.03)  # slow: a cage is being made all the time
+        window.run('select', slides=['left_knee'])
+        window.run('frame', what='selection')
+        window.key('w')
+        time.sleep(0.3)
+        done = []  # when each edit was done
+
+        def expect_saved(edit):
+            now = time.monotonic()
+            needed = sum(1 for when in done if when < now - 5)
+            self.assertGreaterEqual(edit, needed, 'seed %d, at %g: %r' % (seed, now, done))
+
+        def autosaved():
+            if not os.path.exists(path('.killed.glb.autosave.glb')):
+                return 0
+            with open(path('.killed.glb.autosave.glb'), 'rb') as file:
+                return max([int(number) for number in re.findall(rb'"edit (\d+)"', file.read())], default=0)
+
+        at = window.where(handle=0)
+        end = time.monotonic() + random.uniform(7, 9)
+        while time.monotonic() < end:
+            window.run('rename_slide', slide='edit %d' % len(done) if done else 'brow', name='edit %d' % (len(done) + 1))
+            done.append(time.monotonic())
+            window.drag([(at['x'], at['y']), (at['x'] + random.randint(-9, 9), at['y'] + 9)])
+            expect_saved(autosaved())
+        # Killed while the mouse is down.
+        at = window.where(handle=0)
+        window.drag([(at['x'], at['y']), (at['x'] + 9, at['y'])], release=False)
+        end = time.monotonic() + random.uniform(0, 4)
+        while time.monotonic() < end:
+            window.move(at['x'] + random.randint(-20, 20), at['y'] + random.randint(-20, 20))
+            expect_saved(autosaved())
+        window.crash()
+        server.release(1)
+        left = autosaved()
+        expect_saved(left)
+        again = self.open('killed.glb', home=home)
+        again.focus_dialog('Recover')
+        again.click_widget('Yes')
+        state = again.wait_until(lambda s: s['slides'], 'recovered')
+        self.assertIn('edit %d' % left, [slide['name'] for slide in state['slides']])
 
     def test_a_recorded_session_replays_to_the_same_file(self):
         window = self.open()
