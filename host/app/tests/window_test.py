@@ -282,6 +282,53 @@ class Editing(WindowTest):
         window.key('Return')
         window.wait_until(lambda s: abs(self.slide(s, 'waist')['center'][1] - 1.08) < 1e-4, 'the number counts')
 
+    def test_keys_undo_and_redo_a_random_session_to_the_same_files(self):
+        random = Random(6)
+        window = self.open()
+
+        def saved():
+            window.settle()
+            window.run('save_copy', path=path('session.glb'))
+            with open(path('session.glb'), 'rb') as file:
+                return file.read()
+
+        def any_slide():
+            return random.choice(window.state()['slides'])['name']
+
+        def some_cut():
+            at = random.choice(window.state()['slides'])
+            return dict(point=at['center'], normal=[random.uniform(-1, 1), 1, 0])
+
+        commands = {
+            'rename_slide': lambda: dict(slide=any_slide(), name='cut %d' % random.randint(0, 99)),
+            'change_slide': lambda: dict(slide=any_slide(), move=[0, random.uniform(-0.01, 0.01), 0]),
+            'duplicate_slides': lambda: dict(slides=[any_slide()]),
+            'mirror_slides': lambda: dict(slides=[any_slide()]),
+            'remove_slides': lambda: dict(slides=[any_slide()]),
+            'snap_slides': lambda: dict(slides=[any_slide()]),
+            'add_slide': some_cut,
+            'set_parameter': lambda: dict(id='orient.lambda', value=random.choice([0, 2, 4, 8])),
+            'reset_parameters': dict,
+        }
+        begin, steps = saved(), 0
+        while steps < 24:
+            name = random.choice(list(commands))
+            steps += window.ask(command=name, **commands[name]())['ok']
+        # Slides that have a cage.
+        window.run('reset_parameters')
+        window.run('remove_slides', slides=[slide['name'] for slide in window.state()['slides']])
+        window.run('add_slide', name='knee', point=[0.138, 0.51, 0.018], normal=[0, 1, 0])
+        end = saved()
+        self.assertTrue(window.state()['cage']['is_of_now'])
+        for key, label, expected in (('ctrl+z', 'undo', begin), ('ctrl+shift+z', 'redo', end)):
+            presses = 0
+            while window.state()[label]:
+                window.key(key)
+                presses += 1
+                self.assertLess(presses, 100)
+            self.assertGreater(presses, 12)
+            self.assertTrue(saved() == expected, key)
+
     def test_copies_go_to_another_scene(self):
         window = self.open()
         window.settle()
