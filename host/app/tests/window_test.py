@@ -500,7 +500,8 @@ class Files(WindowTest):
         at = window.where(handle=0)
         end = time.monotonic() + random.uniform(7, 9)
         while time.monotonic() < end:
-            window.run('rename_slide', slide='edit %d' % len(done) if done else 'brow', name='edit %d' % (len(done) + 1))
+            before = 'edit %d' % len(done) if done else 'brow'
+            window.run('rename_slide', slide=before, name='edit %d' % (len(done) + 1))
             done.append(time.monotonic())
             window.drag([(at['x'], at['y']), (at['x'] + random.randint(-9, 9), at['y'] + 9)])
             expect_saved(autosaved())
