@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "core/enclose/triangle_distance.h"
+#include "core/mesh/morton.h"
 #include "core/parallel/parallel_for.h"
 
 namespace cagewright {
@@ -19,15 +20,6 @@ namespace {
 
 constexpr std::size_t fan = 4;
 constexpr std::size_t block_size = 1 << 14;
-
-// The lower 21 bits, two zeros after each.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 32) & 0x1f00000000ffffu;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ffu;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-  return (bits | bits << 2) & 0x1249249249249249u;
-}
 
 struct Keyed {
   std::uint64_t code;
@@ -59,10 +51,8 @@ std::vector<Keyed> along_curve(const IndexedMesh& mesh, unsigned threads) {
   for_blocks(keys.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const Triangle3 corners = triangle_of(mesh, static_cast<Eigen::Index>(t));
-      const Vector3 place = (((corners[0] - min) + (corners[1] - min) + (corners[2] - min)) / 3 / side) * 2097151;
-      std::uint64_t code = 0;
-      for (int axis = 0; axis < 3; ++axis) code |= spread(static_cast<std::uint64_t>(place[axis])) << axis;
-      keys[t] = {code, static_cast<int>(t)};
+      const Vector3 place = ((corners[0] - min) + (corners[1] - min) + (corners[2] - min)) / 3 / side;
+      keys[t] = {morton_code(place), static_cast<int>(t)};
     }
   });
   sort(keys, threads);

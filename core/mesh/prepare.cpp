@@ -99,6 +99,7 @@ Model prepare_model(const IndexedMesh& mesh) {
   require_volume(volumes, model.report);
 
   model.mesh = to_half_edge_mesh(welded.mesh);
+  model.edge_blocks = EdgeBlocks(model.mesh);
   model.diagonal = model.report.diagonal();
   model.volume = volumes.in_model_units();
   model.fingerprint = fingerprint(mesh);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/mesh/edge_blocks.h"
 #include "core/mesh/half_edge_mesh.h"
 #include "core/mesh/inspect.h"
 #include "core/mesh/types.h"
@@ -12,6 +13,7 @@ namespace cagewright {
 // A model that every stage can rely on: a closed, consistently oriented 2-manifold with outward normals.
 struct Model {
   HalfEdgeMesh mesh;
+  EdgeBlocks edge_blocks;                            // of the mesh
   std::vector<int> given_vertices, given_triangles;  // of each of the mesh's: a row of the input at the same place
   MeshReport report;                                 // of the input, with turned_triangles filled in
   double diagonal = 0;            // of the bounding box, model units; every tolerance is relative to it

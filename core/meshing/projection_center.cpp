@@ -13,16 +13,32 @@
 namespace cagewright {
 namespace {
 
-using Cone = std::array<Vector3, 4>;  // unit directions to a bound's corners, counter-clockwise from outside
+// How a bound is seen from a centre.
+struct Cone {
+  std::array<Vector3, 4> directions;  // unit, to its corners, counter-clockwise from outside
+  std::array<Vector3, 4> inward;      // unit normals of the planes through the centre and its edges
+};
+
+std::array<Vector3, 4> directions_to(const Bound& bound, const Vector3& center) {
+  std::array<Vector3, 4> directions;
+  for (std::size_t i = 0; i < 4; ++i) directions[i] = (bound.corners[i] - center).stableNormalized();
+  return directions;
+}
+
+Cone cone_of(const Bound& bound, const Vector3& center) {
+  Cone cone{directions_to(bound, center), {}};
+  for (std::size_t i = 0; i < 4; ++i)
+    cone.inward[i] = cone.directions[i].cross(cone.directions[(i + 1) % 4]).normalized();
+  return cone;
+}
 
 // The least sine over the corners of `other` beyond the planes through the centre and an edge of `cone`; the best of
 // the four planes. Convex spherical polygons that do not overlap are separated by a plane through an edge of one.
 double separation(const Cone& cone, const Cone& other) {
   double best = -1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector3 inward = cone[i].cross(cone[(i + 1) % 4]).normalized();
+  for (const Vector3& inward : cone.inward) {
     double worst = 1;
-    for (const Vector3& direction : other) worst = std::min(worst, -inward.dot(direction));
+    for (const Vector3& direction : other.directions) worst = std::min(worst, -inward.dot(direction));
     best = std::max(best, worst);
   }
   return best;
@@ -30,16 +46,10 @@ double separation(const Cone& cone, const Cone& other) {
 
 double gap_between(const Cone& one, const Cone& two) { return std::max(separation(one, two), separation(two, one)); }
 
-Cone cone_of(const Bound& bound, const Vector3& center) {
-  Cone cone;
-  for (std::size_t i = 0; i < 4; ++i) cone[i] = (bound.corners[i] - center).stableNormalized();
-  return cone;
-}
-
 // The least sine at which the centre sees a corner above the bound's plane; negative from behind.
 double facing(const Bound& bound, const Vector3& center) {
   double least = 1;
-  for (const Vector3& direction : cone_of(bound, center)) least = std::min(least, bound.outward.dot(direction));
+  for (const Vector3& direction : directions_to(bound, center)) least = std::min(least, bound.outward.dot(direction));
   return least;
 }
 
@@ -50,16 +60,16 @@ class Visibility {
     hull_ = hull_planes(corners_);
   }
 
-  double operator()(const Vector3& center) const {
+  // Where that is at most `least`, any number that is at most `least`: found sooner.
+  double operator()(const Vector3& center, double least = -1) const {
     if (hull_.empty()) return -1;
     double worst = inside_hull(center);
+    for (std::size_t i = 0; i < bounds_.list.size() && worst > least; ++i)
+      worst = std::min(worst, facing(bounds_.list[i], center));
+    if (worst <= 0 || worst <= least) return worst;  // cones seen from behind have no inside
     std::vector<Cone> cones;
-    for (const Bound& bound : bounds_.list) {
-      worst = std::min(worst, facing(bound, center));
-      cones.push_back(cone_of(bound, center));
-    }
-    if (worst <= 0) return worst;  // cones seen from behind have no inside
-    for (std::size_t i = 0; i < cones.size(); ++i)
+    for (const Bound& bound : bounds_.list) cones.push_back(cone_of(bound, center));
+    for (std::size_t i = 0; i < cones.size() && worst > least; ++i)
       for (std::size_t j = i + 1; j < cones.size(); ++j) worst = std::min(worst, gap_between(cones[i], cones[j]));
     return worst;
   }
@@ -90,7 +100,7 @@ Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Ei
     for (int code = 0; code < 27; ++code) {
       const Vector3 direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
       const Vector3 candidate = point + step * (frame * direction);
-      const double there = visibility(candidate);
+      const double there = visibility(candidate, value + tolerance::tie);
       if (there <= value + tolerance::tie) continue;
       value = there;
       best = candidate;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int none = -2;
 
-// Through the centre and the edge from a to b; positive on the left as seen from outside.
+// The unit normal of the plane through the centre and the edge from a to b; positive on the left as seen from outside.
 Vector3 plane_through(const Vector3& center, const Vector3& a, const Vector3& b) {
   return (a - center).cross(b - center).stableNormalized();
 }
@@ -53,8 +53,9 @@ Cones::Opening Cones::opening_of(const PartSection& side, const std::array<int, 
     const int corner = corner_as_seen(side.outward, i);
     opening.corners[static_cast<std::size_t>(i)] = points.row(4 * side.slide + corner);
   }
-  for (std::size_t i = 0; i < 4; ++i)
-    opening.planes[i] = plane_through(center, opening.corners[i], opening.corners[(i + 1) % 4]);
+  const auto& c = opening.corners;
+  for (std::size_t i = 0; i < 4; ++i) opening.planes[i] = plane_through(center, c[i], c[(i + 1) % 4]);
+  opening.normals = {plane_through(c[0], c[1], c[2]), plane_through(c[0], c[2], c[3])};
   return opening;
 }
 
@@ -81,11 +82,8 @@ const Cones::Opening* Cones::opening_of(const Part& part, const Vector3& v) cons
 
 // A section that was refined freely is no longer flat: in front of either of its triangles counts.
 bool Cones::in_front(const Opening& opening, const Vector3& v) const {
-  const auto& c = opening.corners;
-  const auto height = [&](std::size_t i, std::size_t j, std::size_t k) {
-    return (c[j] - c[i]).cross(c[k] - c[i]).stableNormalized().dot(v - c[i]);
-  };
-  return std::min(height(0, 1, 2), height(0, 2, 3)) <= on_plane_;
+  const Vector3 from_corner = v - opening.corners[0];
+  return std::min(opening.normals[0].dot(from_corner), opening.normals[1].dot(from_corner)) <= on_plane_;
 }
 
 int Cones::triangle_of(int part, const Vector3& v) const {

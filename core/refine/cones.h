@@ -34,6 +34,7 @@ class Cones {
   struct Opening {  // a section, as the part sees it
     int behind;     // the part on its other side
     std::array<Vector3, 4> planes;
+    std::array<Vector3, 2> normals;  // of its two triangles, out of the part
     std::array<Vector3, 4> corners;  // counter-clockwise as seen from outside the part
   };
   struct Part {

@@ -47,6 +47,7 @@ std::vector<HalfedgeHandle> CutMesh::cut(const PlaneLoop& loop, int slide, const
     mesh_.split(mesh_.edge_handle(loop.crossed[i]), v);
     on_loop.push_back(v);
   }
+  blocks_.add_new_edges(mesh_);
   vertex_slide_.resize(mesh_.n_vertices(), -1);
   edge_slide_.resize(mesh_.n_edges(), -1);
   std::vector<HalfedgeHandle> walls;

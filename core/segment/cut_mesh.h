@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/half_edge_mesh.h"
+#include "core/mesh/prepare.h"
 #include "core/slide/plane_loops.h"
 
 namespace cagewright {
@@ -13,9 +13,10 @@ namespace cagewright {
 // edges of the mesh, each owned by its slide.
 class CutMesh {
  public:
-  CutMesh(const HalfEdgeMesh& mesh, double diagonal) : mesh_(mesh), diagonal_(diagonal) {}
+  explicit CutMesh(const Model& model) : mesh_(model.mesh), blocks_(model.edge_blocks), diagonal_(model.diagonal) {}
 
   const HalfEdgeMesh& mesh() const { return mesh_; }
+  const EdgeBlocks& edge_blocks() const { return blocks_; }
 
   // Splits the mesh along `loop`, which plane_loops found on mesh(), for slide number `slide`; returns the loop's
   // half-edges with the triangles ahead of the slide on their left. `names` are the slides', for the sentence.
@@ -33,6 +34,7 @@ class CutMesh {
   void check_apart(const PlaneLoop& loop, int slide, const std::vector<std::string>& names) const;
 
   HalfEdgeMesh mesh_;
+  EdgeBlocks blocks_;
   double diagonal_;
   std::vector<int> edge_slide_;    // by edge, short at the end: -1
   std::vector<int> vertex_slide_;  // by vertex, short at the end: -1

@@ -73,14 +73,25 @@ std::vector<int> canonical_order(const IndexedMesh& cut, const std::vector<int>&
   return rank;
 }
 
+// Of each part, ascending. Most vertices are of one part only; those of loops are of more.
 void collect_vertices(const IndexedMesh& cut, const std::vector<int>& triangle_part, std::vector<Part>& parts) {
+  std::vector<int> first_part(static_cast<std::size_t>(cut.points.rows()), -1);
+  std::vector<std::pair<int, int>> others;  // vertex and part
   for (std::size_t f = 0; f < triangle_part.size(); ++f)
-    for (int i = 0; i < 3; ++i)
-      parts[static_cast<std::size_t>(triangle_part[f])].vertices.push_back(
-          cut.triangles(static_cast<Eigen::Index>(f), i));
-  for (Part& part : parts) {
-    std::sort(part.vertices.begin(), part.vertices.end());
-    part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
+    for (int i = 0; i < 3; ++i) {
+      const int v = cut.triangles(static_cast<Eigen::Index>(f), i);
+      int& first = first_part[static_cast<std::size_t>(v)];
+      if (first < 0) first = triangle_part[f];
+      if (first != triangle_part[f]) others.emplace_back(v, triangle_part[f]);
+    }
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  auto other = others.begin();
+  for (std::size_t v = 0; v < first_part.size(); ++v) {
+    const int row = static_cast<int>(v);
+    if (first_part[v] >= 0) parts[static_cast<std::size_t>(first_part[v])].vertices.push_back(row);
+    for (; other != others.end() && other->first == row; ++other)
+      parts[static_cast<std::size_t>(other->second)].vertices.push_back(row);
   }
 }
 
@@ -132,7 +143,7 @@ LoopWalls cut_along_slides(const Model& model, CutMesh& cut, const std::vector<S
   for (std::size_t k = 0; k < slides.size(); ++k) {
     if (progress && !progress(static_cast<double>(k) / static_cast<double>(slides.size())))
       throw Error(ErrorCode::cancelled, "cancelled while the model was cut");
-    SlideOnModel placed = place_slide(cut.mesh(), with_plane(model.mesh, slides[k], k), k);
+    SlideOnModel placed = place_slide(cut.mesh(), cut.edge_blocks(), with_plane(model.mesh, slides[k], k), k);
     walls.push_back(cut.cut(placed.loop, static_cast<int>(k), names));
     result.ellipses.push_back(placed.ellipse);
     hollow.push_back(placed.hollow);
@@ -147,7 +158,7 @@ Segmentation segment(const Model& model, const std::vector<Slide>& slides, const
   std::vector<std::string> names;
   for (const Slide& slide : slides) names.push_back(slide.name);
   Segmentation result;
-  CutMesh cut(model.mesh, model.diagonal);
+  CutMesh cut(model);
   std::vector<bool> hollow;
   const LoopWalls walls = cut_along_slides(model, cut, slides, names, result, hollow, progress);
   const HalfEdgeMesh& mesh = cut.mesh();

@@ -19,23 +19,50 @@ namespace {
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-// Signed distance of every vertex. Computed once, so that every edge sees the same sign of its ends; what is on the
-// plane but for rounding is exactly on it, so that a turned model is cut through the same vertices.
-std::vector<double> heights(const HalfEdgeMesh& mesh, const Vector3& point, const Vector3& normal) {
-  std::vector<double> height(mesh.n_vertices());
-  for (std::size_t i = 0; i < height.size(); ++i)
-    height[i] = normal.dot(mesh.point(VertexHandle(static_cast<int>(i))) - point);
-  double highest = 0;
-  for (const double h : height) highest = std::max(highest, std::abs(h));
-  for (double& h : height)
-    if (std::abs(h) <= tolerance::tie * highest) h = 0;
-  return height;
+// Signed distances from the plane. The same for a vertex whichever edge asks; what is on the plane but for rounding is
+// exactly on it, so that a turned model is cut through the same vertices.
+class Heights {
+ public:
+  Heights(const HalfEdgeMesh& mesh, const EdgeBlocks& blocks, const Vector3& point, const Vector3& normal)
+      : mesh_(mesh), point_(point), normal_(normal), on_plane_(tolerance::tie * blocks.farthest_from(point, normal)) {}
+
+  double of(VertexHandle v) const {
+    const double height = normal_.dot(mesh_.point(v) - point_);
+    return std::abs(height) <= on_plane_ ? 0 : height;
+  }
+
+ private:
+  const HalfEdgeMesh& mesh_;
+  const Vector3& point_;
+  const Vector3& normal_;
+  double on_plane_;
+};
+
+Vector3 crossing(const HalfEdgeMesh& mesh, const Heights& heights, HalfedgeHandle h) {
+  const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
+  return crossing_point(mesh.point(a), heights.of(a), mesh.point(b), heights.of(b));
 }
 
-Vector3 crossing(const HalfEdgeMesh& mesh, const std::vector<double>& height, HalfedgeHandle h) {
-  const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
-  return crossing_point(mesh.point(a), height[static_cast<std::size_t>(a.idx())], mesh.point(b),
-                        height[static_cast<std::size_t>(b.idx())]);
+// The half-edge of `edge` that runs from behind the plane to ahead of it; invalid where both ends are on one side.
+HalfedgeHandle crossed_half(const HalfEdgeMesh& mesh, const Heights& heights, int edge) {
+  const HalfedgeHandle h = mesh.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+  const bool from = is_ahead(heights.of(mesh.from_vertex_handle(h)));
+  const bool to = is_ahead(heights.of(mesh.to_vertex_handle(h)));
+  if (from == to) return HalfedgeHandle();
+  return from ? mesh.opposite_halfedge_handle(h) : h;
+}
+
+PlaneLoop loop_from(const HalfEdgeMesh& mesh, const Heights& heights, HalfedgeHandle start) {
+  PlaneLoop loop;
+  HalfedgeHandle h = start;
+  do {
+    loop.crossed.push_back(h);
+    h = next_crossed(mesh, h, heights.of(third_vertex(mesh, h)));
+  } while (h != start);
+  loop.points.resize(static_cast<Eigen::Index>(loop.crossed.size()), 3);
+  for (std::size_t i = 0; i < loop.crossed.size(); ++i)
+    loop.points.row(static_cast<Eigen::Index>(i)) = crossing(mesh, heights, loop.crossed[i]).transpose();
+  return loop;
 }
 
 double signed_area(const std::vector<Vector2>& polygon) {
@@ -137,9 +164,9 @@ Error of_slide(const Error& error, const Slide& slide, std::size_t index) {
   throw Error(code, sentence, place);
 }
 
-SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const PointNormalDefinition& plane, const std::string& name,
-                            std::size_t index) {
-  const std::vector<PlaneLoop> loops = plane_loops(mesh, plane.point, plane.normal);
+SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const EdgeBlocks& blocks, const PointNormalDefinition& plane,
+                            const std::string& name, std::size_t index) {
+  const std::vector<PlaneLoop> loops = plane_loops(mesh, blocks, plane.point, plane.normal);
   const PlaneLoop* loop = enclosing_loop(loops, plane.point, plane.normal);
   if (!loop) loop = nearest_loop(loops, plane.point, plane.normal);
   if (!loop)
@@ -154,9 +181,9 @@ SlideOnModel place_by_point(const HalfEdgeMesh& mesh, const PointNormalDefinitio
   return placed;
 }
 
-SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, const std::string& name,
-                           std::size_t index) {
-  const std::vector<PlaneLoop> loops = plane_loops(mesh, ellipse.center, ellipse.normal);
+SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const EdgeBlocks& blocks, const Ellipse& ellipse,
+                           const std::string& name, std::size_t index) {
+  const std::vector<PlaneLoop> loops = plane_loops(mesh, blocks, ellipse.center, ellipse.normal);
   if (loops.empty())
     fail(ErrorCode::slide_misses_model,
          slide_text(name) + " misses the model: its plane through " + to_text(ellipse.center) +
@@ -173,28 +200,22 @@ SlideOnModel place_ellipse(const HalfEdgeMesh& mesh, const Ellipse& ellipse, con
 
 }  // namespace
 
-std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const Vector3& point, const Vector3& normal) {
-  const std::vector<double> height = heights(mesh, point, normal.stableNormalized());
+std::vector<PlaneLoop> plane_loops(const HalfEdgeMesh& mesh, const EdgeBlocks& blocks, const Vector3& point,
+                                   const Vector3& normal) {
+  const Vector3 unit = normal.stableNormalized();
+  const Heights heights(mesh, blocks, point, unit);
+  std::vector<int> crossed;
+  blocks.visit_near_plane(point, unit, [&](int e) {
+    if (crossed_half(mesh, heights, e).is_valid()) crossed.push_back(e);
+  });
+  std::sort(crossed.begin(), crossed.end());
   std::vector<PlaneLoop> loops;
   std::vector<bool> visited(mesh.n_edges(), false);
-  for (std::size_t e = 0; e < mesh.n_edges(); ++e) {
-    if (visited[e]) continue;
-    HalfedgeHandle start = mesh.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(e)), 0);
-    const bool from = is_ahead(height[static_cast<std::size_t>(mesh.from_vertex_handle(start).idx())]);
-    const bool to = is_ahead(height[static_cast<std::size_t>(mesh.to_vertex_handle(start).idx())]);
-    if (from == to) continue;
-    if (from) start = mesh.opposite_halfedge_handle(start);
-    PlaneLoop loop;
-    HalfedgeHandle h = start;
-    do {
+  for (const int e : crossed) {
+    if (visited[static_cast<std::size_t>(e)]) continue;
+    loops.push_back(loop_from(mesh, heights, crossed_half(mesh, heights, e)));
+    for (const HalfedgeHandle h : loops.back().crossed)
       visited[static_cast<std::size_t>(mesh.edge_handle(h).idx())] = true;
-      loop.crossed.push_back(h);
-      h = next_crossed(mesh, h, height[static_cast<std::size_t>(third_vertex(mesh, h).idx())]);
-    } while (h != start);
-    loop.points.resize(static_cast<Eigen::Index>(loop.crossed.size()), 3);
-    for (std::size_t i = 0; i < loop.crossed.size(); ++i)
-      loop.points.row(static_cast<Eigen::Index>(i)) = crossing(mesh, height, loop.crossed[i]).transpose();
-    loops.push_back(std::move(loop));
   }
   return loops;
 }
@@ -213,20 +234,20 @@ int winding_number(const Points& loop, const Vector3& center, const Vector3& nor
   return winding;
 }
 
-SlideOnModel place_slide(const HalfEdgeMesh& mesh, const Slide& slide, std::size_t index) {
+SlideOnModel place_slide(const HalfEdgeMesh& mesh, const EdgeBlocks& blocks, const Slide& slide, std::size_t index) {
   try {
     if (const auto* click = std::get_if<PointDefinition>(&slide.definition)) {
       check_definition(slide);
-      return place_by_point(mesh, plane_across_limb(mesh, *click, slide.name), slide.name, index);
+      return place_by_point(mesh, blocks, plane_across_limb(mesh, *click, slide.name), slide.name, index);
     }
     if (const auto* plane = std::get_if<PointNormalDefinition>(&slide.definition)) {
       check_definition(slide);
-      return place_by_point(mesh, *plane, slide.name, index);
+      return place_by_point(mesh, blocks, *plane, slide.name, index);
     }
     if (const auto* stroke = std::get_if<StrokeDefinition>(&slide.definition))
-      return place_ellipse(mesh, fit_stroke(stroke->points, slide.name), slide.name, index);
-    return place_ellipse(mesh, from_radii(std::get<EllipseDefinition>(slide.definition), slide.name), slide.name,
-                         index);
+      return place_ellipse(mesh, blocks, fit_stroke(stroke->points, slide.name), slide.name, index);
+    return place_ellipse(mesh, blocks, from_radii(std::get<EllipseDefinition>(slide.definition), slide.name),
+                         slide.name, index);
   } catch (const Error& error) {
     throw of_slide(error, slide, index);
   }

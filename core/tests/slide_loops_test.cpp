@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/mesh/prepare.h"
+#include "core/segment/cut_mesh.h"
 #include "core/slide/plane_frame.h"
 #include "core/slide/plane_loops.h"
 #include "core/tests/expect_error.h"
@@ -57,7 +58,7 @@ TEST(PlaneLoops, CutASphereInACircleOfTheRightArea) {
   for (int trial = 0; trial < 50; ++trial) {
     const Vector3 normal = random.direction();
     const double height = random.uniform(-0.9, 0.9);
-    const auto loops = plane_loops(model.mesh, height * normal, 7 * normal);
+    const auto loops = plane_loops(model.mesh, model.edge_blocks, height * normal, 7 * normal);
     ASSERT_EQ(loops.size(), 1u);
     expect_closed_loops(model.mesh, loops, height * normal, normal);
     EXPECT_NEAR(signed_area(loops[0].points, normal) / (M_PI * (1 - height * height)), 1, 0.02);
@@ -66,16 +67,33 @@ TEST(PlaneLoops, CutASphereInACircleOfTheRightArea) {
 
 TEST(PlaneLoops, CutATorusTwice) {
   const Model model = prepare_model(meshes::torus(3, 1, 150, 100));
-  const auto across = plane_loops(model.mesh, {0.013, 0, 0}, {1, 0.001, 0});
+  const auto across = plane_loops(model.mesh, model.edge_blocks, {0.013, 0, 0}, {1, 0.001, 0});
   ASSERT_EQ(across.size(), 2u);
   expect_closed_loops(model.mesh, across, {0.013, 0, 0}, {1, 0.001, 0});
   for (const PlaneLoop& loop : across) EXPECT_NEAR(signed_area(loop.points, {1, 0.001, 0}) / M_PI, 1, 0.01);
-  const auto level = plane_loops(model.mesh, {0, 0, 0.011}, {0, 0, 1});
+  const auto level = plane_loops(model.mesh, model.edge_blocks, {0, 0, 0.011}, {0, 0, 1});
   ASSERT_EQ(level.size(), 2u);
   double outer = signed_area(level[0].points, {0, 0, 1}), inner = signed_area(level[1].points, {0, 0, 1});
   if (outer < inner) std::swap(outer, inner);
   EXPECT_NEAR(outer / (16 * M_PI), 1, 0.01) << "round the material: counter-clockwise";
   EXPECT_NEAR(inner / (-4 * M_PI), 1, 0.01) << "round the hole: clockwise";
+}
+
+TEST(PlaneLoops, OfAModelThatWasCutBeforeMissNoEdge) {
+  const Model model = prepare_model(meshes::icosphere(4));
+  Random random(5);
+  CutMesh cut(model);
+  const std::vector<std::string> names{"a", "b", "c"};
+  for (int k = 0; k < 3; ++k) {  // level, so that they do not meet
+    const Vector3 normal = Vector3::UnitZ() + 0.05 * random.direction();
+    const auto loops = plane_loops(cut.mesh(), cut.edge_blocks(), {0, 0, 0.3 * k - 0.31}, normal);
+    ASSERT_EQ(loops.size(), 1u);
+    cut.cut(loops.front(), k, names);
+    for (int trial = 0; trial < 20; ++trial) {
+      const Vector3 across = random.direction(), point = 0.8 * random.direction();
+      expect_closed_loops(cut.mesh(), plane_loops(cut.mesh(), cut.edge_blocks(), point, across), point, across);
+    }
+  }
 }
 
 TEST(PlaneLoops, StayClosedWhereThePlaneHoldsVerticesEdgesOrWholeTriangles) {
@@ -91,7 +109,7 @@ TEST(PlaneLoops, StayClosedWhereThePlaneHoldsVerticesEdgesOrWholeTriangles) {
       const Vector3 a = vertex();
       Vector3 normal = trial % 2 ? Vector3((vertex() - a).cross(vertex() - a)) : Vector3::Unit(trial % 3);
       if (normal.norm() < 1e-9) continue;
-      const auto loops = plane_loops(model->mesh, a, normal);
+      const auto loops = plane_loops(model->mesh, model->edge_blocks, a, normal);
       std::size_t points = 0;
       for (const PlaneLoop& loop : loops) {
         points += loop.crossed.size();
@@ -115,7 +133,7 @@ TEST(WindingNumber, CountsTurnsExactlyHoweverNearTheLoop) {
   Random random(3);
   for (int trial = 0; trial < 100; ++trial) {
     const Vector3 normal = random.direction();
-    const Points loop = plane_loops(model.mesh, 0.1 * normal, normal).at(0).points;
+    const Points loop = plane_loops(model.mesh, model.edge_blocks, 0.1 * normal, normal).at(0).points;
     const int i = random.below(static_cast<int>(loop.rows()));
     const Vector3 a = loop.row(i), b = loop.row((i + 1) % loop.rows()), middle = (a + b) / 2;
     const Vector3 outward = (b - a).cross(normal).normalized();
@@ -132,14 +150,15 @@ TEST(WindingNumber, CountsTurnsExactlyHoweverNearTheLoop) {
 TEST(PlaceSlide, TakesTheInnermostLoopRoundTheCenter) {
   const Model model = prepare_model(meshes::torus(3, 1, 60, 40));
   const Slide at_limb{"limb", PointNormalDefinition{{3, 0, 0.01}, {0, 1, 0.02}}};
-  const SlideOnModel limb = place_slide(model.mesh, at_limb, 0);
+  const SlideOnModel limb = place_slide(model.mesh, model.edge_blocks, at_limb, 0);
   EXPECT_LT((limb.ellipse.center - Vector3(3, 0, 0)).norm(), 0.02);
   EXPECT_NEAR(limb.ellipse.u.norm(), 1, 0.05);
   // One body inside another's loop: the nearer one round the centre is cut.
   const Model nested = prepare_model(
       meshes::together(meshes::hollow_sphere(3), meshes::moved(meshes::icosphere(3), 0.3, Vector3::Zero())));
   const Slide inner{"inner", EllipseDefinition{{0.01, 0, 0.02}, {1, 0, 0}, {0, 1, 0}}};
-  EXPECT_NEAR(signed_area(place_slide(nested.mesh, inner, 0).loop.points, {0, 0, 1}), 0.09 * M_PI, 0.01);
+  EXPECT_NEAR(signed_area(place_slide(nested.mesh, nested.edge_blocks, inner, 0).loop.points, {0, 0, 1}), 0.09 * M_PI,
+              0.01);
 }
 
 TEST(PlaceSlide, TakesTheNearestLoopWhereNoneGoesRoundThePoint) {
@@ -147,7 +166,8 @@ TEST(PlaceSlide, TakesTheNearestLoopWhereNoneGoesRoundThePoint) {
   const Model model = prepare_model(body.mesh);
   for (const double x : {0.9, -0.9}) {
     const Slide beside{"beside", PointNormalDefinition{{x, 0.02, -1.2}, {0, 0, 1}}};
-    EXPECT_GT(place_slide(model.mesh, beside, 0).ellipse.center.x() * x, 0.2) << "the leg on that side";
+    EXPECT_GT(place_slide(model.mesh, model.edge_blocks, beside, 0).ellipse.center.x() * x, 0.2)
+        << "the leg on that side";
   }
 }
 
@@ -160,26 +180,30 @@ TEST(PlaceSlide, PutsTheCenterOfACrescentInsideIt) {
   }
   const Model model = prepare_model(shapes::body_of(tubes, 0.11));
   const Slide lengthwise{"crescent", PointNormalDefinition{{2, 0.05, 0}, {0, 1, 0}}};
-  const SlideOnModel placed = place_slide(model.mesh, lengthwise, 0);
+  const SlideOnModel placed = place_slide(model.mesh, model.edge_blocks, lengthwise, 0);
   EXPECT_EQ(winding_number(placed.loop.points, placed.ellipse.center, placed.ellipse.normal), 1);
 }
 
 TEST(PlaceSlide, RefusesSlidesThatMissTheModelOrAreNotEnclosed) {
   const Model model = prepare_model(meshes::torus(3, 1, 60, 40));
   const Slide far_plane{"far", PointNormalDefinition{{0, 0, 9}, {0, 0, 1}}};
-  const Error missed = expect_error([&] { place_slide(model.mesh, far_plane, 3); }, ErrorCode::slide_misses_model,
-                                    {"'far'", "misses the model", "(0, 0, 9)"});
+  const Error missed = expect_error([&] { place_slide(model.mesh, model.edge_blocks, far_plane, 3); },
+                                    ErrorCode::slide_misses_model, {"'far'", "misses the model", "(0, 0, 9)"});
   EXPECT_EQ(missed.place().slide, 3u);
   const Slide far_ellipse{"away", EllipseDefinition{{0, 0, 9}, {1, 0, 0}, {0, 1, 0}}};
-  expect_error([&] { place_slide(model.mesh, far_ellipse, 1); }, ErrorCode::slide_misses_model, {"'away'"});
+  expect_error([&] { place_slide(model.mesh, model.edge_blocks, far_ellipse, 1); }, ErrorCode::slide_misses_model,
+               {"'away'"});
   const Slide in_hole{"hole", EllipseDefinition{{0, 0, 0.1}, {1, 0, 0}, {0, 0.1, 1}}};
-  const Error open = expect_error([&] { place_slide(model.mesh, in_hole, 2); }, ErrorCode::slide_not_enclosed,
-                                  {"'hole'", "(0, 0, 0.1)", "inside the limb"});
+  const Error open = expect_error([&] { place_slide(model.mesh, model.edge_blocks, in_hole, 2); },
+                                  ErrorCode::slide_not_enclosed, {"'hole'", "(0, 0, 0.1)", "inside the limb"});
   EXPECT_EQ(open.place().slide, 2u);
   EXPECT_TRUE(open.place().point);
   const Slide bad{"bad", EllipseDefinition{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}};
   EXPECT_EQ(
-      expect_error([&] { place_slide(model.mesh, bad, 5); }, ErrorCode::slide_degenerate, {"'bad'"}).place().slide, 5u);
+      expect_error([&] { place_slide(model.mesh, model.edge_blocks, bad, 5); }, ErrorCode::slide_degenerate, {"'bad'"})
+          .place()
+          .slide,
+      5u);
 }
 
 }  // namespace

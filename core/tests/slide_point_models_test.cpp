@@ -27,7 +27,7 @@ TEST_P(SlideByPointOnModel, EndsWithALoopThroughThePointOrASentence) {
   for (int trial = 0; trial < 500; ++trial) {
     const Vector3 point = random_point_on(model.mesh, random);
     try {
-      const SlideOnModel placed = place_slide(model.mesh, {"click", PointDefinition{point}}, 0);
+      const SlideOnModel placed = place_slide(model.mesh, model.edge_blocks, {"click", PointDefinition{point}}, 0);
       EXPECT_GT(placed.ellipse.v.norm(), 0);
       EXPECT_GT(winding_number(placed.loop.points, placed.ellipse.center, placed.ellipse.normal), 0);
       found += distance_to(placed.loop.points, point) < 1e-5 * model.diagonal;
@@ -50,10 +50,10 @@ TEST(SlideByPoint, IsPerpendicularToArmsAndLegsOfTheBiped) {
   for (const Slide& slide : read_slides("biped")) {
     const bool is_across = slide.name.find("heel") == std::string::npos && slide.name.find("toes") == std::string::npos;
     if (!is_across) continue;
-    const SlideOnModel across = place_slide(model.mesh, slide, 0);
+    const SlideOnModel across = place_slide(model.mesh, model.edge_blocks, slide, 0);
     for (Eigen::Index i = 0; i < 8; ++i) {
       const Vector3 point = across.loop.points.row(i * across.loop.points.rows() / 8);
-      const SlideOnModel placed = place_slide(model.mesh, {"click", PointDefinition{point}}, 0);
+      const SlideOnModel placed = place_slide(model.mesh, model.edge_blocks, {"click", PointDefinition{point}}, 0);
       angles.push_back(angle_between_lines(placed.ellipse.normal, across.ellipse.normal) * 180 / std::numbers::pi);
       EXPECT_LT(placed.ellipse.u.norm(), 1.3 * across.ellipse.u.norm()) << slide.name;
     }

@@ -61,7 +61,8 @@ double Session::parameter(const std::string& id) const {
 void Session::solve(std::uint32_t threads, bool editing) {
   cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
   options.threads = threads;
-  options.editing = editing ? 1 : 0;
+  const std::uint32_t quickest = api().abi_minor >= 4 ? CGW_EDITING_REFINE : CGW_EDITING_ENCLOSE;
+  options.editing = editing ? quickest : CGW_EDITING_NONE;
   check(api().solve(session_, &options), "solve");
 }
 

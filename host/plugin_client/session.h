@@ -58,7 +58,8 @@ class Session {
   // (CGW_ERROR_INVALID_ARGUMENT) where the plug-in is older than ABI 1.3, too.
   Slide::Ellipse fit(const Slide& slide) const;
 
-  // threads: 0 for as many as the machine has. editing: while something is dragged; fewer iterations, no tightening.
+  // threads: 0 for as many as the machine has. editing: while something is dragged; fewer iterations, and not enclosed
+  // (by a plug-in older than ABI 1.4: enclosed, which is slower).
   void solve(std::uint32_t threads, bool editing = false);
 
   // Results. Figures that the plug-in did not write are NaN.

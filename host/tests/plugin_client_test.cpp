@@ -55,7 +55,7 @@ TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
   expect_load_error("/lib/x86_64-linux-gnu/libm.so.6", {"no plug-in", CGW_ENTRY_POINT});
   const std::string other_major = "has ABI 2." + std::to_string(CGW_ABI_MINOR);
   for (const auto& [what, reason] :
-       {std::pair{"null_table", "does not serve ABI 1.3"}, std::pair{"small_table", "bytes"},
+       {std::pair{"null_table", "does not serve ABI 1.4"}, std::pair{"small_table", "bytes"},
         std::pair{"other_major", other_major.c_str()}, std::pair{"gaps", "has gaps"}}) {
     const Environment environment("CAGEWRIGHT_FAKE", what);
     expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});

@@ -105,6 +105,7 @@ struct CageSolver::State {
     }
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     made.state.milliseconds = time.count();
+    made.state.asked = request.asked;
     return made;
   }
 

@@ -2,6 +2,7 @@
 #ifndef CAGEWRIGHT_HOST_WORKSPACE_CAGE_SOLVER_H
 #define CAGEWRIGHT_HOST_WORKSPACE_CAGE_SOLVER_H
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,7 +22,9 @@ struct SolveRequest {
   std::vector<std::pair<std::int64_t, Slide>> slides;  // ids (-1: a preview's) and ellipses
   std::vector<std::pair<std::string, double>> parameters;  // those that are not at their defaults
   bool editing = false;
-  std::uint64_t revision = 0;  // handed back
+  // Handed back, both.
+  std::uint64_t revision = 0;
+  std::chrono::steady_clock::time_point asked = {};
 };
 
 struct SolveResult {

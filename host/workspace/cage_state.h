@@ -5,6 +5,7 @@
 #include <cagewright/cagewright.h>
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -39,11 +40,12 @@ struct CageState {
   std::optional<Certificate> certificate;    // where the whole road was gone
   std::optional<Measures> measures;
   cgw_summary summary = CGW_SUMMARY_INIT;
-  std::vector<double> max_signed_distances;  // before each refinement step and, last, of the cage; over the diagonal
-  std::shared_ptr<const Report> report;      // of the whole, without "model" and memory; null while editing
-  double milliseconds = 0;                   // of the solve
-  bool is_of_editing = false;                // few steps, no certificate: the mouse is still down
-  bool is_of_now = false;                    // made from the slides and parameters as they are now
+  std::vector<double> max_signed_distances;     // before each refinement step and, last, of the cage; over the diagonal
+  std::shared_ptr<const Report> report;         // of the whole, without "model" and memory; null while editing
+  double milliseconds = 0;                      // of the solve
+  std::chrono::steady_clock::time_point asked;  // when the change that it answers was made
+  bool is_of_editing = false;                   // few steps, no certificate: the mouse is still down
+  bool is_of_now = false;                       // made from the slides and parameters as they are now
 
   // Of the last solve, whether it succeeded or not.
   std::vector<Problem> problems;

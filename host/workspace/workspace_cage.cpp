@@ -42,6 +42,7 @@ bool Workspace::State::ask(int mesh_node, bool editing) {
   try {
     SolveRequest request = request_for(mesh_node, editing);
     request.revision = ++last_request;
+    request.asked = std::chrono::steady_clock::now();
     asked[request.revision] = {mesh_node, editing, node.content};
     solver->request(std::move(request));
   } catch (const FileError& error) {
@@ -93,6 +94,7 @@ void Workspace::State::take(SolveResult result) {
     last.problems = std::move(result.state.problems);
     last.failed = true;
     last.is_of_now = false;
+    last.asked = result.state.asked;
   } else {
     last = std::move(result.state);
     last.is_of_now = is_latest && content == node.content;

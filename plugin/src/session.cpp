@@ -134,7 +134,7 @@ void read_slide(const cgw_session& session, std::uint64_t index, cgw_slide_info*
 void fit_slide(const cgw_session& session, const cgw_slide_input* input, cgw_slide_info* out) {
   common_size(out, "cgw_slide_info");
   const Slide slide = to_slide_or_nameless(input);
-  const SlideOnModel placed = place_slide(model_of(session).mesh, slide, 0);
+  const SlideOnModel placed = place_slide(model_of(session).mesh, model_of(session).edge_blocks, slide, 0);
   cgw_slide_info info = CGW_SLIDE_INFO_INIT;
   info.kind = kind_of(slide.definition);
   info.id = CGW_NO_ID;

@@ -19,9 +19,9 @@ cgw_solve_options checked(const cgw_solve_options* given) {
     throw AbiError(CGW_ERROR_INVALID_ARGUMENT,
                    "last_stage is " + std::to_string(options.last_stage) + ", which is none of CGW_STAGE_*");
   }
-  if (options.editing > 1) {
+  if (options.editing > CGW_EDITING_REFINE) {
     throw AbiError(CGW_ERROR_INVALID_ARGUMENT,
-                   "editing is " + std::to_string(options.editing) + "; it has to be 0 or 1");
+                   "editing is " + std::to_string(options.editing) + ", which is none of CGW_EDITING_*");
   }
   return options;
 }
@@ -35,11 +35,20 @@ StageProgress progress_of(const cgw_host& host) {
   };
 }
 
-// Enclosing keeps the distance itself; a refinement that keeps it, too, would only start it from farther out. One that
-// leaves the planes of the slides makes it harder to come back to them.
-void refine_for_enclosing(PipelineOptions& options) {
-  options.refine.delta = 0;
-  options.refine.in_plane = options.refine.in_plane || options.enclose.in_plane;
+// What the core is asked for. Enclosing keeps the distance itself; a refinement that keeps it, too, would only start it
+// from farther out. One that leaves the planes of the slides makes it harder to come back to them, and is not what the
+// enclosing cage will look like.
+PipelineOptions pipeline_options(const Parameters& parameters, const cgw_solve_options& asked) {
+  const bool is_editing = asked.editing != CGW_EDITING_NONE, encloses = asked.editing != CGW_EDITING_REFINE;
+  PipelineOptions options = parameters.options(is_editing);
+  options.last_stage = static_cast<Stage>(encloses ? asked.last_stage : std::min(asked.last_stage, CGW_STAGE_REFINE));
+  const bool is_for_enclosing = options.certify && (options.last_stage >= Stage::enclose || !encloses);
+  options.refine.in_plane = options.refine.in_plane || (is_for_enclosing && options.enclose.in_plane);
+  if (is_for_enclosing && encloses) options.refine.delta = 0;
+  options.enclose.tighten = options.enclose.tighten && !is_editing;
+  options.enclose.merge = options.enclose.merge && !is_editing;
+  options.refine.threads = options.enclose.threads = std::min(thread_count(asked.threads), most_threads);
+  return options;
 }
 
 void log_shortfalls(const cgw_host& host, const PipelineResult& made) {
@@ -53,13 +62,7 @@ void log_shortfalls(const cgw_host& host, const PipelineResult& made) {
 
 void solve(cgw_session& session, const cgw_solve_options* given) {
   const cgw_solve_options asked = checked(given);
-  PipelineOptions options = session.parameters.options(asked.editing == 1);
-  options.enclose.tighten = options.enclose.tighten && asked.editing == 0;
-  options.enclose.merge = options.enclose.merge && asked.editing == 0;
-  options.last_stage = static_cast<Stage>(asked.last_stage);
-  if (options.last_stage >= Stage::enclose && options.certify) refine_for_enclosing(options);
-  options.refine.threads = options.enclose.threads = std::min(thread_count(asked.threads), most_threads);
-
+  const PipelineOptions options = pipeline_options(session.parameters, asked);
   auto results = std::make_unique<Results>();
   results->slide_ids = session.slides.ids();
   results->diagonal = model_of(session).diagonal;
@@ -72,7 +75,8 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
     if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);
     throw translated;
   }
-  if (asked.editing == 0) log_shortfalls(session.host, results->made);  // before the change: a host's log may throw
+  if (asked.editing == CGW_EDITING_NONE)
+    log_shortfalls(session.host, results->made);  // before the change: a host's log may throw
   session.slides.settle(results->made.segmentation.ellipses);
   session.results = std::move(results);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What was released must not move: the numbers, and the layout of every struct of ABI 1.3 on 64-bit machines.
+// What was released must not move: the numbers, and the layout of every struct of ABI 1.4 on 64-bit machines.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using cagewright::plugin::test::api;
 
-static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 3);
+static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 4);
 static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 2);
 static_assert(CGW_ERROR_INTERNAL == -1 && CGW_ERROR_INVALID_ARGUMENT == -2 && CGW_ERROR_OUT_OF_MEMORY == -3);
 static_assert(CGW_ERROR_BUFFER_TOO_SMALL == -4 && CGW_ERROR_NOT_READY == -5 && CGW_ERROR_UNKNOWN_SLIDE == -6);
@@ -286,7 +286,7 @@ AT(cgw_api, slide_fit, 304);
 TEST(AbiTable, TellsItsSizeAndVersion) {
   EXPECT_EQ(api().struct_size, sizeof(cgw_api));
   EXPECT_EQ(api().abi_major, 1u);
-  EXPECT_EQ(api().abi_minor, 3u);
+  EXPECT_EQ(api().abi_minor, 4u);
   EXPECT_STREQ(api().version, CAGEWRIGHT_VERSION);
 }
 

@@ -212,6 +212,43 @@ TEST(AbiSolve, TakesTheIterationsForEditing) {
   EXPECT_EQ(api().iteration_count(solved.session), 1u);
 }
 
+// What follows the mouse looks like what will be enclosed.
+TEST(AbiSolve, ForAMouseEndsWithTheRefinementInPlane) {
+  const SolvedCapsule solved;
+  ASSERT_EQ(api().set_parameter(solved.session, "refine.editing_iterations", 2), CGW_OK);
+  ASSERT_EQ(api().set_parameter(solved.session, "refine.delta", 0.02), CGW_OK);
+  cgw_solve_options options = CGW_SOLVE_OPTIONS_INIT;
+  options.editing = CGW_EDITING_REFINE;
+  cgw_summary summary = CGW_SUMMARY_INIT;
+  const auto off_plane = [&] {
+    double most = 0;
+    cgw_section section = CGW_SECTION_INIT;
+    for (std::uint64_t k = 0; k < api().section_count(solved.session); ++k) {
+      EXPECT_EQ(api().get_section(solved.session, k, &section), CGW_OK);
+      const Cage cage = cage_of(solved.session);
+      for (const std::int32_t v : section.cage_vertex) {
+        double height = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+          height += section.normal[i] * (cage.vertices[3 * static_cast<std::size_t>(v) + i] - section.center[i]);
+        most = std::max(most, std::abs(height));
+      }
+    }
+    return most;
+  };
+  ASSERT_EQ(api().solve(solved.session, &options), CGW_OK) << solved.session.error();
+  ASSERT_EQ(api().get_summary(solved.session, &summary), CGW_OK);
+  EXPECT_EQ(summary.last_stage, CGW_STAGE_REFINE);
+  EXPECT_EQ(api().iteration_count(solved.session), 2u);
+  EXPECT_LT(off_plane(), 1e-9);
+  ASSERT_EQ(api().set_parameter(solved.session, "enclose.in_plane", 0), CGW_OK);
+  ASSERT_EQ(api().solve(solved.session, &options), CGW_OK) << solved.session.error();
+  EXPECT_GT(off_plane(), 1e-4);
+  options.last_stage = CGW_STAGE_MESHING;
+  ASSERT_EQ(api().solve(solved.session, &options), CGW_OK) << solved.session.error();
+  ASSERT_EQ(api().get_summary(solved.session, &summary), CGW_OK);
+  EXPECT_EQ(summary.last_stage, CGW_STAGE_MESHING);
+}
+
 TEST(AbiSolve, GivesTheSameBitsForAnyNumberOfThreads) {
   const SolvedCapsule solved;
   ASSERT_EQ(api().set_parameter(solved.session, "refine.delta", 0.01), CGW_OK);

@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 #define CGW_ABI_MAJOR 1u
-#define CGW_ABI_MINOR 3u
+#define CGW_ABI_MINOR 4u
 #define CGW_ENTRY_POINT "cgw_get_api_v1"
 
 /* ---- status ---------------------------------------------------------------------------------------------------- */
@@ -251,11 +251,16 @@ typedef struct cgw_slide_info {
 #define CGW_STAGE_REFINE 4  /* paper 3.4 */
 #define CGW_STAGE_ENCLOSE 5 /* earns the certificate; passed over where enclose.mode is off. Since 1.1 */
 
+#define CGW_EDITING_NONE 0u
+#define CGW_EDITING_ENCLOSE 1u /* refine.editing_iterations instead of refine.iterations, no tightening or merging */
+#define CGW_EDITING_REFINE                                                                        \
+  2u /* the same, and last_stage is CGW_STAGE_REFINE at most: for every move of a mouse. Sections \
+        stay in plane where those of the enclosing cage would. Since 1.4 */
+
 typedef struct cgw_solve_options {
   uint32_t struct_size;
   int32_t last_stage; /* CGW_STAGE_*: solve up to and with this one */
-  uint32_t editing;   /* 1: refine.editing_iterations instead of refine.iterations, and no tightening or
-                         merging */
+  uint32_t editing;   /* CGW_EDITING_* */
   uint32_t threads;   /* 0: as many as the machine has; at most 256. Results are the same bits for any number. */
 } cgw_solve_options;
 #define CGW_SOLVE_OPTIONS_INIT \
