@@ -2,7 +2,8 @@
 #
 #   cagewright_target(NAME)   C++20 / C99, warnings, no floating-point contraction, sanitizers
 #   cagewright_test(NAME SOURCES... LINK LIBRARIES...)   a GoogleTest executable whose tests ctest knows one by one
-#   cagewright_display_test(NAME)   makes the executable NAME one test, under xvfb-run where there is no DISPLAY
+#   cagewright_display_test(NAME)   makes the executable NAME one test, under xvfb-run where there is no DISPLAY,
+#                                   with the label "display"
 #
 # Compilers are run through ccache where it is installed and nobody asked for another launcher.
 
@@ -46,10 +47,14 @@ function(cagewright_test name)
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   cagewright_target(${name})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  set(timeout 300)
+  if(CAGEWRIGHT_SANITIZE)
+    set(timeout 1800)  # they are slow
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${timeout})
 endfunction()
 
 function(cagewright_display_test name)
   add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/cmake/with_display $<TARGET_FILE:${name}>)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS display)
 endfunction()

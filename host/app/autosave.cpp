@@ -7,11 +7,20 @@
 
 namespace cagewright::host {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr char failed[] = "The autosave failed: ";
+
+}  // namespace
 
 Autosave::Autosave(Editor& editor, QObject* parent) : QObject(parent), editor_(editor) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { write(); });
   editor_.listen([this](WorkspaceChange change) { update(change); });
+}
+
+Autosave::~Autosave() {
+  if (writer_.joinable()) writer_.join();
 }
 
 void Autosave::set_delay(int milliseconds) {
@@ -54,16 +63,46 @@ void Autosave::update(WorkspaceChange change) {
 
 void Autosave::write() {
   if (!editor_.workspace().has_scene() || editor_.workspace().is_saved()) return;
+  is_due_ = writer_.joinable();
+  if (is_due_) return;
+  std::function<void()> job;
   try {
-    editor_.workspace().save_copy(file_for(scene_));
-    is_ours_ = true;
+    job = editor_.workspace().copy_to_write(file_for(scene_));
   } catch (const std::exception& error) {
-    if (tell_failure_) tell_failure_(std::string("The autosave failed: ") + error.what());
+    if (tell_failure_) tell_failure_(std::string(failed) + error.what());
+    return;
+  }
+  failure_.clear();
+  writer_ = std::thread([this, write_copy = std::move(job), number = ++writes_] {
+    try {
+      write_copy();
+    } catch (const std::exception& error) {
+      failure_ = error.what();
+    }
+    const auto go_on = [this, number] {
+      if (number != writes_) return;  // discarded since
+      finish_writing();
+      if (is_due_) write();
+    };
+    QMetaObject::invokeMethod(this, go_on, Qt::QueuedConnection);
+  });
+}
+
+void Autosave::finish_writing() {
+  if (!writer_.joinable()) return;
+  writer_.join();
+  if (failure_.empty()) {
+    is_ours_ = true;
+  } else if (tell_failure_) {
+    tell_failure_(failed + failure_);
   }
 }
 
 void Autosave::discard() {
   timer_.stop();
+  is_due_ = false;
+  ++writes_;
+  finish_writing();
   if (!std::exchange(is_ours_, false)) return;
   std::error_code ignored;
   fs::remove(file_for(scene_), ignored);

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -48,6 +49,9 @@ bool is_device(const std::filesystem::path& target) {
 mode_t permissions(const std::filesystem::path& target) {
   struct stat status {};
   if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
+  // It can only be read by setting it: of two threads that do so at a time the second would set it to 0.
+  static std::mutex reading;
+  const std::lock_guard lock(reading);
   const mode_t mask = ::umask(0);
   ::umask(mask);
   return 0666 & ~mask;

@@ -52,6 +52,25 @@ std::vector<std::pair<std::string, double>> all_parameters(const std::vector<Par
   return all;
 }
 
+// Cages of meshes without slides are written only where the file has one already.
+void put_cages(SceneDocument& document, const std::vector<CageToSave>& cages) {
+  for (const CageToSave& cage : cages) {
+    const SceneCage* read = document.find_cage(cage.mesh_node);
+    SceneCage made;
+    if (cage.is_made && (read != nullptr || cage.has_slides)) {
+      made = scene_cage(document, cage.mesh_node, cage.mesh, cage.report ? &cage.report->certificate : nullptr);
+      made.slides = cage.slides;
+      made.sections = cage.sections;
+    } else if (read != nullptr && cage.set_parameters != read->parameters) {
+      made = *read;
+    } else {
+      continue;
+    }
+    made.parameters = cage.parameters;
+    if (read == nullptr || !is_same(*read, made)) SetCage(std::move(made)).doIt(document);
+  }
+}
+
 }  // namespace
 
 void Workspace::State::set_scene(std::unique_ptr<OpenScene> with) {
@@ -81,26 +100,24 @@ void Workspace::close() {
   if (state_->scene) state_->set_scene(nullptr);
 }
 
-// Cages of meshes without slides are written only where the file has one already.
-SceneDocument Workspace::State::with_cages(bool is_binary) const {
-  SceneDocument copy = scene->document.copy_as(is_binary);
+std::vector<CageToSave> Workspace::State::cages_to_save() const {
+  std::vector<CageToSave> all;
   for (const auto& [node, cage] : scene->cages()) {
-    const SceneCage* read = copy.find_cage(node);
-    const auto values = all_parameters(parameters, scene->document.parameters(node));
-    SceneCage made;
-    if (cage.is_solved && (read != nullptr || !scene->slides(node).empty())) {
-      made = scene_cage(copy, node, cage.whole.cage, cage.whole.report ? &cage.whole.report->certificate : nullptr);
-      made.slides = cage.whole.section_slides;
-      made.sections = cage.whole.vertex_sections;
-    } else if (read != nullptr && scene->document.parameters(node) != read->parameters) {
-      made = *read;
-    } else {
-      continue;
+    CageToSave it;
+    it.mesh_node = node;
+    it.is_made = cage.is_solved;
+    it.has_slides = !scene->slides(node).empty();
+    it.set_parameters = scene->document.parameters(node);
+    it.parameters = all_parameters(parameters, it.set_parameters);
+    if (it.is_made) {
+      it.mesh = cage.whole.cage;
+      it.slides = cage.whole.section_slides;
+      it.sections = cage.whole.vertex_sections;
+      it.report = cage.whole.report;
     }
-    made.parameters = values;
-    if (read == nullptr || !is_same(*read, made)) SetCage(std::move(made)).doIt(copy);
+    all.push_back(std::move(it));
   }
-  return copy;
+  return all;
 }
 
 bool Workspace::has_to_wait_to_save() const {
@@ -118,17 +135,27 @@ void Workspace::save(const std::filesystem::path& path) {
   if (state_->is_followed) {
     for (const int node : open.caged_nodes()) state_->wait_for(node);
   }
-  write_scene(state_->with_cages(is_binary_scene_name(path)), path);
+  SceneDocument with_cages = open.document.copy_as(is_binary_scene_name(path));
+  put_cages(with_cages, state_->cages_to_save());
+  write_scene(with_cages, path);
   open.path = path;
   open.saved_state = open.stack.state();
   open.has_file = true;
   state_->tell(WorkspaceChange::saved);
 }
 
-void Workspace::save_copy(const std::filesystem::path& path) const {
-  static_cast<void>(state_->open_scene());
+void Workspace::save_copy(const std::filesystem::path& path) const { copy_to_write(path)(); }
+
+// To read the bytes again is most of the work, and is done where the job is.
+std::function<void()> Workspace::copy_to_write(const std::filesystem::path& path) const {
+  const OpenScene& open = state_->open_scene();
   check_scene_name(path);
-  write_scene(state_->with_cages(is_binary_scene_name(path)), path);
+  return [path, from = open.document.path(), bytes = open.document.bytes(), cages = state_->cages_to_save()] {
+    SceneDocument copy =
+        SceneDocument(from, bytes, SceneDocument::Unreadable::stray).copy_as(is_binary_scene_name(path));
+    put_cages(copy, cages);
+    write_scene(copy, path);
+  };
 }
 
 void Workspace::export_cage(const std::filesystem::path& path) {

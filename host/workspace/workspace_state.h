@@ -12,6 +12,19 @@
 
 namespace cagewright::host {
 
+// The cage of a mesh node as a file is to hold it, apart from the workspace.
+struct CageToSave {
+  int mesh_node = -1;
+  bool is_made = false;  // here: the last good one; false: as it was read, if any
+  bool has_slides = false;
+  TriangleMesh mesh;
+  std::vector<std::int64_t> slides;
+  std::vector<int> sections;
+  std::shared_ptr<const Report> report;
+  using Parameters = std::vector<std::pair<std::string, double>>;
+  Parameters set_parameters, parameters;  // the document's; all of them
+};
+
 struct Workspace::State {
   std::shared_ptr<const Plugin> plugin;
   std::vector<Parameter> parameters;  // of the plug-in
@@ -63,8 +76,7 @@ struct Workspace::State {
   void forget_requests();  // those that are not answered
   // Until the mesh node's whole cage is there or has failed. Throws Cancelled where it was interrupted.
   void wait_for(int mesh_node);
-  // The scene with its cages as they are now, to be written as .glb or .gltf.
-  SceneDocument with_cages(bool is_binary) const;
+  std::vector<CageToSave> cages_to_save() const;
 };
 
 }  // namespace cagewright::host

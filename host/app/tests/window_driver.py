@@ -84,6 +84,10 @@ class Server:
         with os.fdopen(read) as number:
             self.display = ':' + number.readline().strip()
 
+    def release(self, button):
+        """What a window that was killed has left pressed."""
+        subprocess.run(['xdotool', 'mouseup', str(button)], env=dict(os.environ, DISPLAY=self.display), check=True)
+
     def close(self):
         self.process.terminate()
         self.process.wait()

@@ -6,12 +6,14 @@
 import glob
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+from random import Random
 
 from window_driver import SCREEN, Server, Window, is_green, is_red, is_selected
 
@@ -307,6 +309,53 @@ class Editing(WindowTest):
         window.key('Return')
         window.wait_until(lambda s: abs(self.slide(s, 'waist')['center'][1] - 1.08) < 1e-4, 'the number counts')
 
+    def test_keys_undo_and_redo_a_random_session_to_the_same_files(self):
+        random = Random(6)
+        window = self.open()
+
+        def saved():
+            window.settle()
+            window.run('save_copy', path=path('session.glb'))
+            with open(path('session.glb'), 'rb') as file:
+                return file.read()
+
+        def any_slide():
+            return random.choice(window.state()['slides'])['name']
+
+        def some_cut():
+            at = random.choice(window.state()['slides'])
+            return dict(point=at['center'], normal=[random.uniform(-1, 1), 1, 0])
+
+        commands = {
+            'rename_slide': lambda: dict(slide=any_slide(), name='cut %d' % random.randint(0, 99)),
+            'change_slide': lambda: dict(slide=any_slide(), move=[0, random.uniform(-0.01, 0.01), 0]),
+            'duplicate_slides': lambda: dict(slides=[any_slide()]),
+            'mirror_slides': lambda: dict(slides=[any_slide()]),
+            'remove_slides': lambda: dict(slides=[any_slide()]),
+            'snap_slides': lambda: dict(slides=[any_slide()]),
+            'add_slide': some_cut,
+            'set_parameter': lambda: dict(id='orient.lambda', value=random.choice([0, 2, 4, 8])),
+            'reset_parameters': dict,
+        }
+        begin, steps = saved(), 0
+        while steps < 24:
+            name = random.choice(list(commands))
+            steps += window.ask(command=name, **commands[name]())['ok']
+        # Slides that have a cage.
+        window.run('reset_parameters')
+        window.run('remove_slides', slides=[slide['name'] for slide in window.state()['slides']])
+        window.run('add_slide', name='knee', point=[0.138, 0.51, 0.018], normal=[0, 1, 0])
+        end = saved()
+        self.assertTrue(window.state()['cage']['is_of_now'])
+        for key, label, expected in (('ctrl+z', 'undo', begin), ('ctrl+shift+z', 'redo', end)):
+            presses = 0
+            while window.state()[label]:
+                window.key(key)
+                presses += 1
+                self.assertLess(presses, 100)
+            self.assertGreater(presses, 12)
+            self.assertTrue(saved() == expected, key)
+
     def test_copies_go_to_another_scene(self):
         window = self.open()
         window.settle()
@@ -448,6 +497,57 @@ class Files(WindowTest):
         again.key('ctrl+s')
         again.wait_until(lambda s: s['saved'], 'the recovered scene is saved')
         self.assertFalse(os.path.exists(saved))
+
+    def test_killed_at_any_time_it_has_lost_no_more_than_the_last_five_seconds(self):
+        seed = int.from_bytes(os.urandom(4), 'little')
+        random = Random(seed)
+        shutil.copy(path('biped.glb'), path('killed.glb'))
+        home = tempfile.mkdtemp(prefix='cagewright-home-')
+        self.addCleanup(shutil.rmtree, home, True)
+        window = self.open('killed.glb', home=home)
+        window.settle()
+        window.run('set_parameter', id='refine.delta', value=0.03)  # slow: a cage is being made all the time
+        window.run('select', slides=['left_knee'])
+        window.run('frame', what='selection')
+        window.key('w')
+        time.sleep(0.3)
+        done = []  # when each edit was done
+
+        def expect_saved(edit):
+            now = time.monotonic()
+            needed = sum(1 for when in done if when < now - 5)
+            self.assertGreaterEqual(edit, needed, 'seed %d, at %g: %r' % (seed, now, done))
+
+        def autosaved():
+            if not os.path.exists(path('.killed.glb.autosave.glb')):
+                return 0
+            with open(path('.killed.glb.autosave.glb'), 'rb') as file:
+                return max([int(number) for number in re.findall(rb'"edit (\d+)"', file.read())], default=0)
+
+        at = window.where(handle=0)
+        end = time.monotonic() + random.uniform(7, 9)
+        while time.monotonic() < end:
+            before = 'edit %d' % len(done) if done else 'brow'
+            window.run('rename_slide', slide=before, name='edit %d' % (len(done) + 1))
+            done.append(time.monotonic())
+            window.drag([(at['x'], at['y']), (at['x'] + random.randint(-9, 9), at['y'] + 9)])
+            expect_saved(autosaved())
+        # Killed while the mouse is down.
+        at = window.where(handle=0)
+        window.drag([(at['x'], at['y']), (at['x'] + 9, at['y'])], release=False)
+        end = time.monotonic() + random.uniform(0, 4)
+        while time.monotonic() < end:
+            window.move(at['x'] + random.randint(-20, 20), at['y'] + random.randint(-20, 20))
+            expect_saved(autosaved())
+        window.crash()
+        server.release(1)
+        left = autosaved()
+        expect_saved(left)
+        again = self.open('killed.glb', home=home)
+        again.focus_dialog('Recover')
+        again.click_widget('Yes')
+        state = again.wait_until(lambda s: s['slides'], 'recovered')
+        self.assertIn('edit %d' % left, [slide['name'] for slide in state['slides']])
 
     def test_a_recorded_session_replays_to_the_same_file(self):
         window = self.open()

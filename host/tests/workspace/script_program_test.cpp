@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -14,6 +16,7 @@
 #include "host/tests/run_program.h"
 #include "host/tests/temporary_folder.h"
 #include "host/tests/workspace/ellipsoid.h"
+#include "host/workspace/script.h"
 
 namespace cagewright::host::test {
 namespace {
@@ -25,10 +28,14 @@ class ScriptProgramTest : public testing::Test {
   ScriptProgramTest() { folder_.write("limb.off", mesh_bytes(ellipsoid(24, 48), "limb.off")); }
 
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
-  // Lines with FOLDER in their paths.
+  // Lines with FOLDER, SCENES and PLUGIN in their paths.
   std::string script(const std::string& name, std::string lines) const {
-    for (std::size_t k = lines.find("FOLDER"); k != std::string::npos; k = lines.find("FOLDER")) {
-      lines.replace(k, 6, at(""));
+    for (const auto& [word, path] : {std::pair<std::string, std::string>{"FOLDER", at("")},
+                                     {"SCENES", CAGEWRIGHT_OWN_SCENES},
+                                     {"\"PLUGIN\"", "\"" CAGEWRIGHT_PLUGIN_FILE "\""}}) {
+      for (std::size_t k = 0; (k = lines.find(word, k)) != std::string::npos; k += path.size()) {
+        lines.replace(k, word.size(), path);
+      }
     }
     return folder_.write(name, lines).string();
   }
@@ -76,6 +83,30 @@ TEST_F(ScriptProgramTest, TheSameScriptWritesTheSameBytes) {
   const std::string first = folder_.read("limb.glb");
   EXPECT_EQ(run({"--command", path}).exit_code, 0);
   EXPECT_EQ(folder_.read("limb.glb"), first);
+}
+
+TEST_F(ScriptProgramTest, EveryCommandRunsInOneSessionTwiceToTheSameBytes) {
+  std::ifstream file(CAGEWRIGHT_EVERY_COMMAND);
+  const std::string session{std::istreambuf_iterator<char>(file), {}};
+  std::set<std::string> used = {"picture", "turntable"}, there;  // these need a display
+  std::istringstream lines(session);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("{")) used.insert(Json::parse(line)["command"].get<std::string>());
+  }
+  for (const ScriptRunner::Description& command : ScriptRunner::commands()) there.insert(command.name);
+  EXPECT_EQ(used, there) << "every_command.jsonl has to use them all";
+  std::map<std::string, std::string> written;
+  for (const bool is_first : {true, false}) {
+    const ProgramRun done = run({"--command", script("every_command.jsonl", session)});
+    EXPECT_EQ(done.exit_code, 0) << done.errors;
+    EXPECT_EQ(done.errors, "");
+    for (const char* name : {"limb.glb", "cage.obj", "two.json", "two.glb"}) {
+      const std::string bytes = folder_.read(name);
+      EXPECT_FALSE(bytes.empty()) << name;
+      if (is_first) written[name] = bytes;
+      EXPECT_TRUE(written[name] == bytes) << name;
+    }
+  }
 }
 
 TEST_F(ScriptProgramTest, StopsAtTheFirstCommandThatFailsAndNamesItsLine) {

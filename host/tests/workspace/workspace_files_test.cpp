@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <functional>
+#include <thread>
+
 #include "host/file/file_error.h"
 #include "host/file/mesh_reader.h"
 #include "host/tests/workspace/workspace_fixture.h"
@@ -150,6 +153,33 @@ TEST_F(WorkspaceFilesTest, WhereTheSlidesFailTheLastGoodCageIsSavedWithTheParame
   EXPECT_EQ(saved.cages()[0].mesh.triangles, good.triangles);
   workspace_.open(folder_ / "a.glb");
   EXPECT_EQ(workspace_.parameter("refine.delta"), 0.02);
+}
+
+TEST_F(WorkspaceFilesTest, ACopyIsOfTheMomentItWasMadeAndIsWrittenByAnyThreadWhileTheWorkspaceGoesOn) {
+  for (const auto& scene : {model_, own_scene("slides_two_caged_meshes.gltf")}) {
+    workspace_.open(scene);
+    workspace_.set_parameter("orient.lambda", 5);
+    workspace_.add_slide(across("early", 0.4));
+    workspace_.wait_for_cage();
+    workspace_.save_copy(folder_ / "now.glb");
+    const std::function<void()> write = workspace_.copy_to_write(folder_ / "later.glb");
+    workspace_.add_slide(across("late", -0.4));
+    std::thread writer([&write] { write(); });
+    for (int k = 0; k < 20; ++k) {
+      workspace_.rename_slide(id("late"), "later");
+      workspace_.save_copy(folder_ / "other.glb");
+      workspace_.undo();
+    }
+    writer.join();
+    EXPECT_TRUE(folder_.read("later.glb") == folder_.read("now.glb"));
+    workspace_.close();
+    EXPECT_NO_THROW(write()) << "it needs no workspace";
+  }
+  EXPECT_THROW(workspace_.copy_to_write(folder_ / "a.glb"), CommandError);
+  workspace_.open(model_);
+  EXPECT_THROW(workspace_.copy_to_write(folder_ / "a.obj"), FileError);
+  const std::function<void()> nowhere = workspace_.copy_to_write(model_ / "a.glb");
+  EXPECT_THROW(nowhere(), FileError);
 }
 
 TEST_F(WorkspaceFilesTest, FilesThatASceneNamesComeAlong) {

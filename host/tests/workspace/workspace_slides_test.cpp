@@ -156,8 +156,8 @@ TEST_F(WorkspaceSlidesTest, MirroredSlidesAreOnTheOtherSideWithTheirNormalsMirro
   const auto made = workspace_.mirror_slides({id("left arm")}, 0, {});
   EXPECT_EQ(names(), (Names{"left arm", "right arm"}));
   EXPECT_EQ(workspace_.selection(), made);
-  const Slide::Ellipse& here = ellipse("left arm");
-  const Slide::Ellipse& there = ellipse("right arm");
+  const Slide::Ellipse here = ellipse("left arm");
+  const Slide::Ellipse there = ellipse("right arm");
   EXPECT_NEAR(there.center[0], -here.center[0], 1e-7) << "across the middle of the box";
   EXPECT_EQ(there.center[1], here.center[1]);
   const auto normal = [](const Slide::Ellipse& e) {
