@@ -119,7 +119,7 @@ TEST_F(UndoTest, TheSameSlidesAreSavedWithTheSameCageHoweverOneCameThere) {
     std::map<std::size_t, RandomSession::Bytes> saved;  // by the position in the session
     std::size_t compared = 0;
     const auto compare = [&] {
-      if (session.position() % 8 != 0) return;
+      if (session.position() % (is_sanitized ? 32 : 8) != 0) return;
       const auto now = saved_with_cages();
       if (!now) return;
       const auto [entry, is_new] = saved.try_emplace(session.position(), *now);
@@ -131,8 +131,8 @@ TEST_F(UndoTest, TheSameSlidesAreSavedWithTheSameCageHoweverOneCameThere) {
     session.run(commands_of_a_session);
     session.undo_to(0, compare);
     session.redo_to(session.steps(), compare);
-    EXPECT_GT(saved.size(), is_sanitized ? 1U : 3U);
-    EXPECT_GT(compared, is_sanitized ? 1U : 3U);
+    EXPECT_GT(saved.size(), is_sanitized ? 0U : 3U);
+    EXPECT_GT(compared, is_sanitized ? 0U : 3U);
     if (HasFailure()) return;
   }
 }
