@@ -52,7 +52,7 @@ bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOp
   to.Bind(GL_DRAW_FRAMEBUFFER);
   to.ActivateDrawBuffer(0);
   const int extent[4] = {0, size[0], 0, size[1]};  // the ends are not of it
-  while (glGetError() != GL_NO_ERROR) continue;  // of others
+  while (glGetError() != GL_NO_ERROR) continue;    // of others
   vtkOpenGLFramebufferObject::Blit(extent, extent, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   const bool is_copied = glGetError() == GL_NO_ERROR;
   state->PopFramebufferBindings();
