@@ -60,7 +60,8 @@ class Visibility {
     hull_ = hull_planes(corners_);
   }
 
-  // Where that is at most `least`, any number that is at most `least`: found sooner.
+  // The visibility of projection_center.h; where it is at most `least`, any number that is at most `least`, found
+  // sooner.
   double operator()(const Vector3& center, double least = -1) const {
     if (hull_.empty()) return -1;
     double worst = inside_hull(center);

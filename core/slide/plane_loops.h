@@ -29,7 +29,7 @@ int winding_number(const Points& loop, const Vector3& center, const Vector3& nor
 // Finds the ellipse of `slide` on the model and the loop that it cuts: the innermost one round the centre.
 // A point-and-normal slide takes the loop round its point, else the nearest one; a point alone that of with_plane.
 // Throws Error: those of fit_ellipse.h and across_limb.h, slide_misses_model, slide_not_enclosed. `index` is the
-// slide's, for the error. `blocks` and the cost: as for plane_loops.
+// slide's, for the error. `blocks` and the cost: as for plane_loops; of a point alone O(n).
 struct SlideOnModel {
   Ellipse ellipse;
   PlaneLoop loop;

@@ -21,7 +21,8 @@ Editor::Editor(std::shared_ptr<const Plugin> plugin, std::function<void()> wake,
 
 void Editor::tell(WorkspaceChange change) {
   for (const Listener& listener : listeners_) listener(change);
-  const bool is_of_drag = change == WorkspaceChange::slides || change == WorkspaceChange::cage;
+  const bool is_of_drag =
+      change == WorkspaceChange::slides || change == WorkspaceChange::cage || change == WorkspaceChange::progress;
   if (is_of_drag && !workspace_.preview().empty()) {
     pending_.insert(change);
     if (!pending_timer_.isActive()) pending_timer_.start();

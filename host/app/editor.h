@@ -35,19 +35,19 @@ class Editor {
 
   using Listener = std::function<void(WorkspaceChange)>;
   void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
-  // The same for panels: while something is dragged, changes of slides and cage are told a few times a second only, the
-  // last of them always.
+  // The same for panels: while something is dragged, changes of slides, cage and progress are told a few times a second
+  // only, the last of them always.
   void listen_seldom(Listener listener) { seldom_.push_back(std::move(listener)); }
   void on_failure(std::function<void(const std::string& sentence)> tell) { tell_failure_ = std::move(tell); }
 
   std::vector<std::string> selected_names() const;
 
  private:
-  Workspace workspace_;
-  ScriptRunner script_;
   void tell(WorkspaceChange change);
   void tell_pending();
 
+  Workspace workspace_;
+  ScriptRunner script_;
   std::vector<Listener> listeners_, seldom_;
   std::set<WorkspaceChange> pending_;  // of seldom_
   QTimer pending_timer_;

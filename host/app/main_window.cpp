@@ -31,6 +31,13 @@
 namespace cagewright::host {
 namespace {
 
+// For a reason that is among the slides, and nothing is being drawn or dragged that may mend it.
+bool gives_no_cage(const Workspace& workspace) {
+  const CageState& cage = workspace.cage();
+  const auto names_slides = [](const Problem& problem) { return !problem.slides.empty(); };
+  return cage.failed && workspace.preview().empty() && std::ranges::any_of(cage.problems, names_slides);
+}
+
 constexpr int dock_width = 290;
 constexpr int failure_ms = 12000;  // how long the status line shows one
 
@@ -202,11 +209,11 @@ void MainWindow::show_progress() {
 void MainWindow::show_hint() {
   const Workspace& workspace = editor_->workspace();
   if (!hint_) return;
-  hint_->setText(!workspace.has_scene()    ? "Open a model or scene: File > Open, or drop a file on the window."
-                 : !workspace.plugin()     ? "No plug-in is loaded: File > Plug-ins loads one."
-                 : workspace.cage().failed ? "These slides give no cage: click the sentence under Problems to see "
-                                             "where. Ctrl+Z takes the last step back."
-                                           : view_->hint());
+  hint_->setText(!workspace.has_scene()     ? "Open a model or scene: File > Open, or drop a file on the window."
+                 : !workspace.plugin()      ? "No plug-in is loaded: File > Plug-ins loads one."
+                 : gives_no_cage(workspace) ? "These slides give no cage: click the sentence under Problems to see "
+                                              "where. Ctrl+Z takes the last step back."
+                                            : view_->hint());
 }
 
 void MainWindow::say_failure(const std::string& sentence) {

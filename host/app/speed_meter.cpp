@@ -16,7 +16,10 @@ double percentile(std::vector<double> values, double share) {
 
 }  // namespace
 
-void SpeedMeter::begin() { *this = {}; }
+void SpeedMeter::begin(Clock::time_point drawn) {
+  *this = {};
+  last_asked_ = drawn;
+}
 
 void SpeedMeter::add(Clock::time_point asked, Clock::time_point shown,
                      std::chrono::duration<double, std::milli> frame) {

@@ -21,7 +21,7 @@ class SpeedMeter {
     double median_ms = 0, percentile_95_ms = 0, frame_ms = 0;
   };
 
-  void begin();  // another drag
+  void begin(Clock::time_point drawn);  // another drag; the cage that is shown answers the movement at `drawn`
   // A frame has been drawn, in that time, with the cage that answers the movement at `asked`.
   void add(Clock::time_point asked, Clock::time_point shown, std::chrono::duration<double, std::milli> frame);
   Figures figures() const;  // O(n log n)

@@ -7,6 +7,8 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <QCursor>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QTimer>
@@ -124,10 +126,20 @@ void ViewWidget::render() {
   window_->Render();
   const CageState& cage = editor_.workspace().cage();
   drawn_ = cage.asked;
-  if (doing_ != Doing::tool || !cage.is_of_editing) return;
+  if (doing_ != Doing::tool || !cage.is_of_editing || cage.failed) return;
   const auto end = SpeedMeter::Clock::now();
   speed_.add(cage.asked, end, end - begin);
   if (!speed_timer_.isActive()) speed_timer_.start();
+  drag_to_cursor();
+}
+
+// Before the frame is put on the screen, which takes time: the next cage can be made meanwhile, and the mouse's own
+// event would come only after it.
+void ViewWidget::drag_to_cursor() {
+  const QPointF at = mapFromGlobal(QCursor::pos());
+  if (!handles_->is_dragging() || at == last_) return;
+  last_ = at;
+  editor_.attempt([&] { tool_->drag(mouse_point(at, QGuiApplication::keyboardModifiers())); });
 }
 
 void ViewWidget::show_speed() {
@@ -279,7 +291,7 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
   if (doing_ != Doing::nothing) return;  // a second button while one is down
   last_ = event->localPos();
   doing_ = begin_of(*event);
-  if (doing_ == Doing::tool) speed_.begin();
+  if (doing_ == Doing::tool) speed_.begin(drawn_);
   render_soon();
   if (hint_changed_) hint_changed_();
 }

@@ -80,6 +80,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   bool is_waiting_for_cage() const;
   void render_with_cage();
   void render();
+  void drag_to_cursor();
   void show_speed();
 
   Editor& editor_;

@@ -7,7 +7,7 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <mutex>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -45,16 +45,19 @@ bool is_device(const std::filesystem::path& target) {
   return ::stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
+// umask() can only read it by setting it, which other threads that make files would see.
+mode_t process_umask() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("Umask:")) return static_cast<mode_t>(std::stoul(line.substr(6), nullptr, 8));
+  return 022;
+}
+
 // The permissions of the file that is replaced, or what the umask leaves of a new one's.
 mode_t permissions(const std::filesystem::path& target) {
   struct stat status {};
   if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
-  // It can only be read by setting it: of two threads that do so at a time the second would set it to 0.
-  static std::mutex reading;
-  const std::lock_guard lock(reading);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+  return 0666 & ~process_umask();
 }
 
 class Descriptor {

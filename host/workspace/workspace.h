@@ -64,8 +64,9 @@ class Workspace {
   bool has_to_wait_to_save() const;  // whether save would have to wait for a cage
   // The same without any change of this workspace. Does not wait; the last good cage.
   void save_copy(const std::filesystem::path& path) const;
-  // save_copy as a job that no longer needs the workspace: what is there now is written when it is called, on any
-  // thread. To make it takes a copy of the scene's bytes. The job throws FileError.
+  // save_copy as a job that no longer needs the workspace: the document and cage of now are written when it is
+  // called, on any thread; external files of a .gltf are read only then. To make it takes a copy of the scene's bytes.
+  // The job throws FileError.
   std::function<void()> copy_to_write(const std::filesystem::path& path) const;
   // The cage alone: .obj .off .ply .stl .glb .gltf. Throws CommandError where there is none.
   void export_cage(const std::filesystem::path& path);

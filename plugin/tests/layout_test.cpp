@@ -38,6 +38,7 @@ static_assert(CGW_SLIDE_POINT == 3);
 static_assert(CGW_PART_ENCLOSED == 1);
 static_assert(CGW_STAGE_SEGMENT == 1 && CGW_STAGE_ORIENT == 2 && CGW_STAGE_MESHING == 3 && CGW_STAGE_REFINE == 4);
 static_assert(CGW_STAGE_ENCLOSE == 5);
+static_assert(CGW_EDITING_NONE == 0 && CGW_EDITING_ENCLOSE == 1 && CGW_EDITING_REFINE == 2);
 
 // A later minor version may add at the end: sizes may grow past these, offsets may not change.
 #define AT(type, field, offset) static_assert(offsetof(type, field) == (offset))

@@ -204,6 +204,7 @@ void CameraControl::update_clipping() {
     }
   }
   const double slack = std::max(kClippingSlack * (farthest - nearest), 1e-3 * distance);
+  const double range_near = nearest - slack / 2, range_far = farthest + slack / 2;  // the least that will do
   nearest -= slack;
   farthest += slack;
   if (!now.is_orthographic) {
@@ -212,7 +213,7 @@ void CameraControl::update_clipping() {
   }
   // A range that will do stays: what hangs on the camera need not be drawn again for every small movement.
   const double* range = renderer_.GetActiveCamera()->GetClippingRange();
-  const bool holds_all = range[0] <= nearest + slack / 2 && range[1] >= farthest - slack / 2;
+  const bool holds_all = range[0] <= std::max(range_near, nearest) && range[1] >= range_far;
   const bool is_tight = range[1] - range[0] <= 1.1 * (farthest - nearest) && (now.is_orthographic || range[0] > 0);
   if (holds_all && is_tight) return;
   renderer_.GetActiveCamera()->SetClippingRange(nearest, farthest);

@@ -19,6 +19,8 @@
 namespace cagewright::host {
 namespace {
 
+constexpr int most_errors = 100;
+
 void add(vtkMatrix4x4* matrix, std::vector<double>& look) {
   look.insert(look.end(), matrix->GetData(), matrix->GetData() + 16);
 }
@@ -51,8 +53,9 @@ bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOp
   from.ActivateReadBuffer(0);
   to.Bind(GL_DRAW_FRAMEBUFFER);
   to.ActivateDrawBuffer(0);
-  const int extent[4] = {0, size[0], 0, size[1]};  // the ends are not of it
-  while (glGetError() != GL_NO_ERROR) continue;    // of others
+  const int extent[4] = {0, size[0], 0, size[1]};                         // the ends are not of it
+  for (int i = 0; i < most_errors && glGetError() != GL_NO_ERROR; ++i) {  // of others
+  }
   vtkOpenGLFramebufferObject::Blit(extent, extent, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   const bool is_copied = glGetError() == GL_NO_ERROR;
   state->PopFramebufferBindings();
@@ -88,6 +91,7 @@ bool StillLayer::make_room(vtkOpenGLRenderWindow& window, const int* size) {
   int kept_size[2] = {0, 0};
   kept_->GetLastSize(kept_size);
   if (kept_->GetFBOIndex() != 0 && kept_size[0] == size[0] && kept_size[1] == size[1]) return true;
+  kept_look_.clear();
   kept_->ReleaseGraphicsResources(&window);
   kept_->SetContext(&window);
   window.GetState()->PushFramebufferBindings();
@@ -109,13 +113,18 @@ void StillLayer::Render(const vtkRenderState* state) {
   }
   Look look = can_keep(renderer) ? look_of(renderer, named) : Look();
   const int* size = renderer.GetSize();
-  if (!look.empty() && look == kept_look_) {
-    copy(*window, *kept_, *window->GetRenderFramebuffer(), size);
+  const bool is_kept = !look.empty() && look == kept_look_;
+  if (is_kept && copy(*window, *kept_, *window->GetRenderFramebuffer(), size)) {
     ++frames_saved_;
   } else {
+    if (is_kept) {
+      driver_copies_ = false;
+      kept_look_.clear();
+      renderer.Clear();
+    }
     draw(*state, still);
     // What changes with every frame, as when the view is turned, is not worth keeping.
-    if (!look.empty() && look == look_ && make_room(*window, size)) {
+    if (driver_copies_ && !look.empty() && look == look_ && make_room(*window, size)) {
       driver_copies_ = copy(*window, *window->GetRenderFramebuffer(), *kept_, size);
       kept_look_ = driver_copies_ ? look : Look();
     }
