@@ -11,6 +11,7 @@
 #include <exception>
 #include <mutex>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -103,7 +104,8 @@ void print(const std::string& what, Figures figures) {
   std::sort(sorted.begin(), sorted.end());
   std::printf("%-24s %7.1f %9.1f %9.1f %9.1f %9.1f %7zu %7d\n", what.c_str(),
               static_cast<double>(sorted.size()) / figures.seconds, at(sorted, 0.5), at(sorted, 0.95), at(sorted, 1),
-              1000 * figures.processor_seconds / static_cast<double>(sorted.size()), sorted.size(), figures.failures);
+              1000 * figures.processor_seconds / static_cast<double>(std::max<std::size_t>(sorted.size(), 1)),
+              sorted.size(), figures.failures);
 }
 
 class DragBench {
@@ -173,7 +175,8 @@ class DragBench {
     const auto end = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     for (int number = 1; Clock::now() < end; ++number) {
       step(slide, number);
-      if (!poll_until(Clock::now() + std::chrono::seconds(10))) break;
+      if (!poll_until(Clock::now() + std::chrono::seconds(10)))
+        throw std::runtime_error("no cage of slide '" + slide.name + "' came within ten seconds");
       take(Clock::now(), figures);
     }
     watch.stop(figures);

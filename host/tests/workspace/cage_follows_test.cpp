@@ -244,6 +244,38 @@ TEST_F(CageFollowsTest, TheLatestOfManyRequestsIsTheOneThatIsAnswered) {
   EXPECT_FALSE(solver.progress().is_solving);
 }
 
+// Else the solver would make cages that nobody sees, with the time that drawing them needs.
+TEST_F(CageFollowsTest, ACageForEditingIsNotOvertakenBeforeItIsTaken) {
+  CageSolver solver(plugin_, {});
+  const auto mesh = std::make_shared<const TriangleMesh>(ellipsoid(24, 48));
+  const Slide::Ellipse ellipse{{0, 0.3, 0}, {0.5, 0, 0}, {0, 0, -0.4}};
+  const auto request = [&](bool editing, std::uint64_t revision) {
+    solver.request({3, mesh, {{7, {"a", ellipse}}}, {}, editing, revision});
+  };
+  const auto rest = [] { std::this_thread::sleep_for(std::chrono::milliseconds(200)); };
+  const auto taken = [&] {
+    const auto result = solver.take_result();
+    return result ? result->revision : 0;
+  };
+  request(true, 1);
+  solver.wait();
+  request(true, 2);
+  rest();
+  EXPECT_EQ(taken(), 1U);
+  solver.wait();
+  EXPECT_EQ(taken(), 2U) << "it begins when the one before has been taken";
+  request(true, 3);
+  solver.wait();
+  request(true, 4);
+  solver.wait();
+  EXPECT_EQ(taken(), 4U) << "and where somebody waits for it";
+  request(true, 5);
+  solver.wait();
+  request(false, 6);
+  for (int i = 0; i < 50 && solver.progress().is_solving; ++i) rest();
+  EXPECT_EQ(taken(), 6U) << "a whole cage waits for nobody";
+}
+
 TEST_F(CageFollowsTest, AWholeSolveOfABigModelIsCancelledWithinASecondAndLeavesNoThread) {
   const std::size_t threads_before = thread_count();
   const auto big = write_model("big.off", ellipsoid(500, 500));
