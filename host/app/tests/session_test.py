@@ -162,13 +162,13 @@ class Files(WindowTest):
             window.move(at['x'] + random.randint(-20, 20), at['y'] + random.randint(-20, 20))
             expect_saved(autosaved())
         window.crash()
-        server.release(1)
+        window_case.server.release(1)
         left = autosaved()
         expect_saved(left)
         again = self.open('killed.glb', home=home)
         again.focus_dialog('Recover')
         again.click_widget('Yes')
-        state = again.wait_until(lambda s: s['slides'], 'recovered')
+        state = again.wait_until(lambda s: s.get('slides'), 'recovered')
         self.assertIn('edit %d' % left, [slide['name'] for slide in state['slides']])
 
     def test_a_recorded_session_replays_to_the_same_file(self):
