@@ -13,6 +13,17 @@ from window_driver import is_green, is_red, is_selected
 class Looking(WindowTest):
     scene = 'biped.glb'
 
+    def test_frames_of_a_view_that_stands_still_are_the_same(self):
+        """The model is kept as a picture with its depths from the third on."""
+        window = self.open()
+        window.settle()
+        window.key('a')
+        first = window.shot('first_frame')
+        for key in 'wqwqwq':
+            window.key(key)
+        time.sleep(0.3)
+        self.assertEqual(window.shot('kept_frame').differs(first, window.view()), 0)
+
     def test_shows_slides_red_and_sections_green_and_hides_them(self):
         window = self.open()
         window.settle()

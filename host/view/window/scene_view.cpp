@@ -180,7 +180,6 @@ void SceneView::State::before_frame() {
   slide_actors.set_pixel_ratio(ratio);
   stroke.set_pixel_ratio(ratio);
   slide_labels.place(active_to_scene());
-  renderer.SetErase(still_layer->covers(renderer) ? 0 : 1);
 }
 
 void SceneView::State::fit_grid() {

@@ -53,10 +53,11 @@ bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOp
   from.ActivateReadBuffer(0);
   to.Bind(GL_DRAW_FRAMEBUFFER);
   to.ActivateDrawBuffer(0);
-  const int extent[4] = {0, size[0], 0, size[1]};                         // the ends are not of it
   for (int i = 0; i < most_errors && glGetError() != GL_NO_ERROR; ++i) {  // of others
   }
-  vtkOpenGLFramebufferObject::Blit(extent, extent, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  // Not vtkOpenGLFramebufferObject::Blit, which takes the error away.
+  glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+                    GL_NEAREST);
   const bool is_copied = glGetError() == GL_NO_ERROR;
   state->PopFramebufferBindings();
   return is_copied;
@@ -82,23 +83,25 @@ bool StillLayer::can_keep(vtkRenderer& renderer) const {
          size[0] == all[0] && size[1] == all[1];
 }
 
-bool StillLayer::covers(vtkRenderer& renderer) const {
-  return !kept_look_.empty() && can_keep(renderer) && look_of(renderer, still_ ? still_() : Props()) == kept_look_;
-}
-
-// Depths can be copied between buffers of one format only: that of vtkOpenGLRenderWindow.
-bool StillLayer::make_room(vtkOpenGLRenderWindow& window, const int* size) {
-  int kept_size[2] = {0, 0};
-  kept_->GetLastSize(kept_size);
-  if (kept_->GetFBOIndex() != 0 && kept_size[0] == size[0] && kept_size[1] == size[1]) return true;
+bool StillLayer::make_room(vtkOpenGLRenderWindow& window, const int* size, int depth_bits) {
   kept_look_.clear();
   kept_->ReleaseGraphicsResources(&window);
   kept_->SetContext(&window);
   window.GetState()->PushFramebufferBindings();
-  const bool is_there = kept_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, 32, 0,
+  const bool is_there = kept_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, depth_bits, 0,
                                                    window.GetStencilCapable() != 0);
   window.GetState()->PopFramebufferBindings();
   return is_there;
+}
+
+// Depths can be copied between buffers of one format only, and windows differ in theirs.
+void StillLayer::keep(vtkOpenGLRenderWindow& window, const int* size, const Look& look) {
+  for (const int depth_bits : {32, 24}) {
+    if (!make_room(window, size, depth_bits) || !copy(window, *window.GetRenderFramebuffer(), *kept_, size)) continue;
+    kept_look_ = look;
+    return;
+  }
+  driver_copies_ = false;
 }
 
 void StillLayer::Render(const vtkRenderState* state) {
@@ -124,10 +127,7 @@ void StillLayer::Render(const vtkRenderState* state) {
     }
     draw(*state, still);
     // What changes with every frame, as when the view is turned, is not worth keeping.
-    if (driver_copies_ && !look.empty() && look == look_ && make_room(*window, size)) {
-      driver_copies_ = copy(*window, *window->GetRenderFramebuffer(), *kept_, size);
-      kept_look_ = driver_copies_ ? look : Look();
-    }
+    if (driver_copies_ && !look.empty() && look == look_) keep(*window, size, look);
   }
   look_ = std::move(look);
   draw(*state, moving);

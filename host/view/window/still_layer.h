@@ -32,8 +32,6 @@ class StillLayer : public vtkRenderPass {
   // Of frames so far, for which the models were not drawn.
   int frames_saved() const { return frames_saved_; }
 
-  // Whether the next frame will be covered by what is kept, so that the renderer need not clear it.
-  bool covers(vtkRenderer& renderer) const;
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -48,7 +46,8 @@ class StillLayer : public vtkRenderPass {
 
   void draw(const vtkRenderState& state, Props& props);
   bool can_keep(vtkRenderer& renderer) const;
-  bool make_room(vtkOpenGLRenderWindow& window, const int* size);
+  bool make_room(vtkOpenGLRenderWindow& window, const int* size, int depth_bits);
+  void keep(vtkOpenGLRenderWindow& window, const int* size, const Look& look);
 
   vtkNew<vtkOpaquePass> opaque_;
   vtkNew<vtkOpenGLFramebufferObject> kept_;
