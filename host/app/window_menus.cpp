@@ -154,7 +154,7 @@ void MainWindow::make_slide_menu() {
         [this] { view_->use_select_tool(Mode::scale); }});
   menu.addSeparator();
   QAction* complete = add_check(menu,
-                                {"complete_stroke", "&Complete Stroke", "",
+                                {"complete_stroke", "C&omplete Stroke", "",
                                  "On: a short stroke is enough, the loop "
                                  "of its plane is found. Off: the ellipse is fitted to the stroke alone, and Shift "
                                  "adds to the selected slide's",
@@ -222,7 +222,7 @@ void MainWindow::make_view_menu() {
     check(name, text, "", "Whether it is drawn", true, [what = std::string(what)](bool on) {
       return json{{"command", "show"}, {"what", what}, {"on", on}};
     });
-  check("show_speed", "Show Spee&d", "", "How many cages a second follow a drag, and how long one takes", false,
+  check("show_speed", "Show Sp&eed", "", "How many cages a second follow a drag, and how long one takes", false,
         [](bool on) {
           return json{{"command", "show"}, {"what", "speed"}, {"on", on}};
         });

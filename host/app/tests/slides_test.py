@@ -210,7 +210,7 @@ class Editing(WindowTest):
         self.assertRegex(window.where(widget='speed')['text'], r'^cage \d+/s, \d+ ms \(95 %: \d+ ms\), frame \d+ ms$')
         window.shot('speed')
         window.release()
-        self.assertTrue(window.settle()['cage']['certified'])
+        window.wait_until(lambda s: s['cage']['certified'], 'the whole cage is made')
         self.assertGreater(window.state()['speed']['cages'], 3)
 
     def test_a_drag_of_a_handle_moves_the_slide_in_one_step_of_undo(self):
