@@ -27,6 +27,7 @@ constexpr int exit_usage = 2, exit_bad_input = 3, exit_internal = 4;
 
 struct Arguments {
   std::optional<std::string> scene, plugin, theme;
+  std::string graphics = "auto";
   bool takes_commands = false;
 };
 
@@ -63,6 +64,11 @@ std::shared_ptr<const Plugin> load_plugin(const Arguments& arguments, std::strin
   }
 }
 
+Graphics graphics_of(const std::string& name) {
+  if (name == "card") return Graphics::card;
+  return name == "processor" ? Graphics::processor : Graphics::automatic;
+}
+
 int show_window(int argc, char** argv, const Arguments& arguments) {
   std::string failure;
   auto plugin = load_plugin(arguments, failure);
@@ -71,13 +77,14 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
+  format.setAlphaBufferSize(0);  // nothing shines through the window
   QSurfaceFormat::setDefaultFormat(format);
   Application application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, and numbers in sentences would get commas
   QCoreApplication::setOrganizationName("cagewright");
   QCoreApplication::setApplicationName("cagewright");
   QCoreApplication::setApplicationVersion(CAGEWRIGHT_VERSION);
-  MainWindow window(std::move(plugin));
+  MainWindow window(std::move(plugin), graphics_of(arguments.graphics));
   window.set_dark(arguments.theme ? *arguments.theme == "dark" : QSettings().value("dark", true).toBool());
   application.on_failure([&window](const std::string& sentence) { window.say_failure(sentence); });
   window.restoreGeometry(QSettings().value("geometry").toByteArray());
@@ -99,6 +106,8 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", arguments.scene, "a scene or model: .glb .gltf .obj .off .ply .stl");
   app.add_option("--plugin", arguments.plugin, "the plug-in to use");
   app.add_option("--theme", arguments.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+  app.add_option("--graphics", arguments.graphics, "what draws: the graphics card or the processor")
+      ->check(CLI::IsMember({"auto", "card", "processor"}));
   app.add_flag("--commands", arguments.takes_commands,
                "runs commands from standard input, a JSON object a line, and answers each on standard output");
   try {

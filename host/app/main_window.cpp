@@ -51,7 +51,7 @@ QWidget* scrolled(QWidget* content) {
 
 }  // namespace
 
-MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin) {
+MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) {
   setObjectName("main_window");
   setAcceptDrops(true);
   resize(1400, 900);
@@ -70,7 +70,7 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin) {
   if (const int delay = qEnvironmentVariableIntValue("CAGEWRIGHT_AUTOSAVE_MS", &is_given); is_given)
     autosave_->set_delay(delay);
   autosave_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
-  view_ = new ViewWidget(*editor_, this);
+  view_ = new ViewWidget(*editor_, graphics, this);
   setCentralWidget(view_);
   make_docks();
   make_menus();

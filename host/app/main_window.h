@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/app/autosave.h"
+#include "host/app/canvas.h"
 #include "host/app/editor.h"
 #include "host/app/script_recorder.h"
 
@@ -32,7 +33,7 @@ class ViewWidget;
 class MainWindow : public QMainWindow {
  public:
   // `plugin` may be null.
-  explicit MainWindow(std::shared_ptr<const Plugin> plugin);
+  MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics);
   ~MainWindow() override;
 
   Editor& editor() { return *editor_; }

@@ -2,8 +2,8 @@
 #include "host/app/view_widget.h"
 
 #include <vtkAxesActor.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOrientationMarkerWidget.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
@@ -36,7 +36,8 @@ CameraControl::Axis axis_of(const std::string& name) {
 
 }  // namespace
 
-ViewWidget::ViewWidget(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(parent), editor_(editor) {
+ViewWidget::ViewWidget(Editor& editor, Graphics graphics, QWidget* parent)
+    : QWidget(parent), editor_(editor), canvas_(make_canvas(graphics, *this)) {
   setObjectName("view");
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -72,14 +73,13 @@ ViewWidget::ViewWidget(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget
 ViewWidget::~ViewWidget() = default;
 
 void ViewWidget::set_up_window() {
-  window_->SetMultiSamples(0);
-  setRenderWindow(window_);
-  window_->AddRenderer(renderer_);
+  vtkRenderWindow& window = canvas_->window();
+  window.AddRenderer(renderer_);
   // The mouse is ours: VTK's interactor is there for the axes in the corner alone.
-  window_->GetInteractor()->SetInteractorStyle(nullptr);
+  window.GetInteractor()->SetInteractorStyle(nullptr);
   axes_ = vtkSmartPointer<vtkOrientationMarkerWidget>::New();
   axes_->SetOrientationMarker(vtkNew<vtkAxesActor>());
-  axes_->SetInteractor(window_->GetInteractor());
+  axes_->SetInteractor(window.GetInteractor());
   axes_->SetViewport(0, 0, 0.14, 0.2);
   axes_->SetEnabled(1);
   axes_->InteractiveOff();
@@ -90,6 +90,9 @@ void ViewWidget::update(WorkspaceChange change) {
                             editor_.workspace().preview().empty();  // a command has come in between
   if (change == WorkspaceChange::scene || change == WorkspaceChange::mesh || is_drag_over) cancel_tool();
   sync_->update(change);
+  if (change == WorkspaceChange::cage && doing_ == Doing::tool)
+    QMetaObject::invokeMethod(
+        this, [this] { drag_to_cursor(); }, Qt::QueuedConnection);
   if (change == WorkspaceChange::scene) frame_all();
   const bool is_shown = change != WorkspaceChange::progress && change != WorkspaceChange::parameters &&
                         change != WorkspaceChange::saved && change != WorkspaceChange::plugin;
@@ -123,18 +126,17 @@ void ViewWidget::render() {
   const auto begin = SpeedMeter::Clock::now();
   camera_->update_clipping();
   handles_->update();
-  window_->Render();
+  canvas_->draw();
   const CageState& cage = editor_.workspace().cage();
   drawn_ = cage.asked;
   if (doing_ != Doing::tool || !cage.is_of_editing || cage.failed) return;
   const auto end = SpeedMeter::Clock::now();
   speed_.add(cage.asked, end, end - begin);
   if (!speed_timer_.isActive()) speed_timer_.start();
-  drag_to_cursor();
 }
 
-// Before the frame is put on the screen, which takes time: the next cage can be made meanwhile, and the mouse's own
-// event would come only after it.
+// Before the frame is drawn, which takes time: the next cage can be made meanwhile, and the mouse's own event would
+// come only after it.
 void ViewWidget::drag_to_cursor() {
   const QPointF at = mapFromGlobal(QCursor::pos());
   if (!handles_->is_dragging() || at == last_) return;
@@ -340,28 +342,11 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void ViewWidget::resizeEvent(QResizeEvent* event) {
-  QVTKOpenGLNativeWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
+  canvas_->widget().setGeometry(rect());
+  render_soon();
   place_help();
   show_speed();
-}
-
-// QVTKOpenGLNativeWidget hands mouse and keys to VTK's interactor, too, which would tumble and track for a second time.
-bool ViewWidget::event(QEvent* event) {
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-    case QEvent::DragEnter:
-    case QEvent::DragMove:
-    case QEvent::Drop:
-      return QOpenGLWidget::event(event);
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
-  }
 }
 
 }  // namespace cagewright::host

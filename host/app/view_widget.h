@@ -2,14 +2,15 @@
 #ifndef CAGEWRIGHT_HOST_APP_VIEW_WIDGET_H
 #define CAGEWRIGHT_HOST_APP_VIEW_WIDGET_H
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <QTimer>
+#include <QWidget>
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
+#include "host/app/canvas.h"
 #include "host/app/editor.h"
 #include "host/app/select_tool.h"
 #include "host/app/speed_meter.h"
@@ -20,7 +21,6 @@
 #include "host/view/window/slide_handles.h"
 
 class QLabel;
-class vtkGenericOpenGLRenderWindow;
 class vtkOrientationMarkerWidget;
 class vtkRenderer;
 
@@ -28,9 +28,9 @@ namespace cagewright::host {
 
 // The 3-D view: mouse and keys as Maya has them. Alt + left, middle, right: tumble, track, dolly; without alt, middle
 // tracks, right tumbles, the wheel goes nearer, and left is the tool's, which leaves to tumbling what is not for it.
-class ViewWidget : public QVTKOpenGLNativeWidget {
+class ViewWidget : public QWidget {
  public:
-  ViewWidget(Editor& editor, QWidget* parent);
+  ViewWidget(Editor& editor, Graphics graphics, QWidget* parent);
   ~ViewWidget() override;
 
   SceneView& scene() { return *scene_; }
@@ -66,7 +66,6 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
-  bool event(QEvent* event) override;
 
  private:
   enum class Doing { nothing, tool, tumble, track, dolly };
@@ -84,7 +83,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   void show_speed();
 
   Editor& editor_;
-  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  std::unique_ptr<Canvas> canvas_;
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkOrientationMarkerWidget> axes_;
   std::unique_ptr<SceneView> scene_;

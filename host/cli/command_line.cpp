@@ -116,6 +116,9 @@ class CommandLine {
     CLI::App* app = app_.add_subcommand("view", "Open the window: draw slides, and the cage follows");
     add_file(*app, "SCENE", view_.scene, "What to open: .glb .gltf .obj .off .ply .stl");
     app->add_option("--theme", view_.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app->add_option("--graphics", view_.graphics,
+                    "What draws: card or processor (default auto: the card, if there is one)")
+        ->check(CLI::IsMember({"auto", "card", "processor"}));
     app->add_flag("--commands", view_.takes_commands,
                   "Run commands from standard input, a JSON object a line, and answer each on standard output");
     add_plugin(*app, view_.plugin);

@@ -47,8 +47,9 @@ struct ValidateCommand {
 
 struct ViewCommand {
   OptionalPath scene, plugin;
-  std::optional<std::string> theme;  // "dark" or "light"
-  bool takes_commands = false;       // from standard input
+  std::optional<std::string> theme;     // "dark" or "light"
+  std::optional<std::string> graphics;  // "auto", "card" or "processor"
+  bool takes_commands = false;          // from standard input
 };
 
 struct StripCommand {

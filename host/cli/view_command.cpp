@@ -22,6 +22,7 @@ int run_view(const ViewCommand& command) {
   if (command.scene) arguments.push_back(command.scene->string());
   if (command.plugin) arguments.insert(arguments.end(), {"--plugin", command.plugin->string()});
   if (command.theme) arguments.insert(arguments.end(), {"--theme", *command.theme});
+  if (command.graphics) arguments.insert(arguments.end(), {"--graphics", *command.graphics});
   if (command.takes_commands) arguments.emplace_back("--commands");
   std::vector<char*> raw;
   for (std::string& argument : arguments) raw.push_back(argument.data());

@@ -24,6 +24,37 @@ class Looking(WindowTest):
         time.sleep(0.3)
         self.assertEqual(window.shot('kept_frame').differs(first, window.view()), 0)
 
+    def test_card_and_processor_draw_the_same_but_for_the_edges_of_lines(self):
+        shots = []
+        for graphics in ('card', 'processor'):
+            window = self.open(None, '--graphics', graphics)
+            window.settle()
+            window.key('a')
+            window.run('select', slides=['waist'])
+            window.key('w')
+            window.settle()
+            shots.append(window.shot(graphics))
+            view = window.view()
+            window.close()
+        self.assertGreater(shots[0].count(view, is_red), 100)
+        self.assertLess(shots[0].differs(shots[1], view), 0.02 * view[2] * view[3])
+
+    def test_a_window_drawn_by_either_follows_its_size_and_the_mouse(self):
+        for graphics in ('card', 'processor'):
+            with self.subTest(graphics):
+                window = self.open(None, '--graphics', graphics)
+                window.settle()
+                window.xdotool('search', '--onlyvisible', '--name', 'Cagewright', 'windowsize', 900, 600)
+                window.settle()
+                x, y, width, height = window.view()
+                window.key('a')
+                before = window.shot('small_' + graphics)
+                self.assertGreater(before.count((x, y, width, height), is_red), 50)
+                window.drag([(x + width // 2, y + height // 2), (x + width // 2 + 60, y + height // 2)], button=3)
+                after = window.shot('turned_' + graphics)
+                self.assertGreater(after.differs(before, (x, y, width, height)), 1000)
+                window.close()
+
     def test_shows_slides_red_and_sections_green_and_hides_them(self):
         window = self.open()
         window.settle()
