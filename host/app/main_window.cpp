@@ -224,6 +224,7 @@ void MainWindow::say_failure(const std::string& sentence) {
 void MainWindow::set_dark(bool dark) {
   apply_theme(*qApp, dark);
   view_->set_dark(dark);
+  if (auto* action = findChild<QAction*>("dark")) action->setChecked(dark);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

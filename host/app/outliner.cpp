@@ -157,7 +157,8 @@ void Outliner::show_problems() {
   for (const auto& [id, item] : slides_) {
     const Problem* found = find_problem(cage, id);
     const QString problem = found ? text(found->sentence) : QString();
-    item->setForeground(0, problem.isEmpty() ? palette().text() : QBrush(QColor(0xff, 0x6b, 0x5e)));
+    // Without a colour of its own it has the theme's, also after a change of that.
+    item->setData(0, Qt::ForegroundRole, problem.isEmpty() ? QVariant() : QBrush(QColor(0xff, 0x6b, 0x5e)));
     item->setToolTip(0, problem.isEmpty() ? item->text(0) : problem);
   }
   is_filling_ = false;

@@ -230,8 +230,7 @@ void MainWindow::make_view_menu() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels.addAction(dock->toggleViewAction());
   menu.addSeparator();
   QAction* dark = add_check(menu, {"dark", "&Dark Theme", "", "Dark or light colours", [] {}}, true);
-  dark->setChecked(QSettings().value("dark", true).toBool());
-  connect(dark, &QAction::toggled, this, [this](bool on) {
+  connect(dark, &QAction::triggered, this, [this](bool on) {  // not where set_dark sets it
     set_dark(on);
     QSettings().setValue("dark", on);
   });
