@@ -39,14 +39,24 @@ void Editor::tell_pending() {
 }
 
 bool Editor::run(const nlohmann::json& command) {
-  return attempt([&] { script_.run(command); });
+  return attempt([&] { run_or_throw(command); });
+}
+
+nlohmann::json Editor::run_or_throw(const nlohmann::json& command) {
+  nlohmann::json said = script_.run(command);
+  if (tell_done_) tell_done_(command);
+  return said;
 }
 
 bool Editor::attempt(const std::function<void()>& action) {
+  const std::size_t failures_before = failures_;
   try {
     action();
+    // What an attempt within this one has told is not to be taken for done.
+    if (failures_ == failures_before && tell_done_) tell_done_(nullptr);
     return true;
   } catch (const std::exception& error) {
+    ++failures_;
     if (tell_failure_) tell_failure_(error.what());
     return false;
   }

@@ -26,10 +26,10 @@ class Editor {
   const Workspace& workspace() const { return workspace_; }
   ScriptRunner& script() { return script_; }
 
-  // Runs a command of a menu; a failure goes to `tell_failure` and gives false.
+  // Runs a command of a menu; a failure is told and gives false.
   bool run(const nlohmann::json& command);
   // Runs it and lets what it throws through: for scripts.
-  nlohmann::json run_or_throw(const nlohmann::json& command) { return script_.run(command); }
+  nlohmann::json run_or_throw(const nlohmann::json& command);
   // The same for what is no command: false where `action` threw one of the host's errors.
   bool attempt(const std::function<void()>& action);
 
@@ -39,6 +39,8 @@ class Editor {
   // only, the last of them always.
   void listen_seldom(Listener listener) { seldom_.push_back(std::move(listener)); }
   void on_failure(std::function<void(const std::string& sentence)> tell) { tell_failure_ = std::move(tell); }
+  // Told of every command that went well, and, with null, of every attempt in which nothing failed.
+  void on_done(std::function<void(const nlohmann::json& command)> tell) { tell_done_ = std::move(tell); }
 
   std::vector<std::string> selected_names() const;
 
@@ -52,6 +54,8 @@ class Editor {
   std::set<WorkspaceChange> pending_;  // of seldom_
   QTimer pending_timer_;
   std::function<void(const std::string&)> tell_failure_;
+  std::function<void(const nlohmann::json&)> tell_done_;
+  std::size_t failures_ = 0;  // that were told
 };
 
 }  // namespace cagewright::host

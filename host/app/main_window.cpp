@@ -18,6 +18,7 @@
 #include <QToolBar>
 #include <QUrl>
 
+#include "host/app/done_text.h"
 #include "host/app/outliner.h"
 #include "host/app/parameter_panel.h"
 #include "host/app/plugin_manager.h"
@@ -39,7 +40,7 @@ bool gives_no_cage(const Workspace& workspace) {
 }
 
 constexpr int dock_width = 290;
-constexpr int failure_ms = 12000;  // how long the status line shows one
+constexpr int failure_ms = 12000, done_ms = 6000;  // how long the status line shows one
 
 QWidget* scrolled(QWidget* content) {
   auto* area = new QScrollArea;
@@ -64,6 +65,7 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
       },
       [this](const nlohmann::json& command) { view_->run(command); });
   editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  editor_->on_done([this](const nlohmann::json& command) { finish_command(command); });
   recorder_ = std::make_unique<ScriptRecorder>(*editor_);
   autosave_ = new Autosave(*editor_, this);
   bool is_given = false;
@@ -218,7 +220,19 @@ void MainWindow::show_hint() {
 
 void MainWindow::say_failure(const std::string& sentence) {
   statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), failure_ms);
+  shows_failure_ = true;
   QApplication::beep();
+}
+
+void MainWindow::say_done(const std::string& sentence) {
+  statusBar()->showMessage(QString::fromStdString(sentence), done_ms);
+  shows_failure_ = false;
+}
+
+void MainWindow::finish_command(const nlohmann::json& command) {
+  const std::string sentence = command.is_null() ? "" : done_text(command, editor_->workspace());
+  if (!sentence.empty()) return say_done(sentence);
+  if (std::exchange(shows_failure_, false)) statusBar()->clearMessage();
 }
 
 void MainWindow::set_dark(bool dark) {

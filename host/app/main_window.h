@@ -41,7 +41,9 @@ class MainWindow : public QMainWindow {
   // Asks about unsaved changes, and whether an autosave is to be recovered.
   void open(const std::filesystem::path& path);
   void set_dark(bool dark);
-  void say_failure(const std::string& sentence);  // in the status line
+  // In the status line. A failure's sentence goes when the next thing succeeds, or after a while.
+  void say_failure(const std::string& sentence);
+  void say_done(const std::string& sentence);
   // Into that file; empty: stops.
   void record(const std::filesystem::path& path);
 
@@ -76,6 +78,7 @@ class MainWindow : public QMainWindow {
   void make_tool_bar();
 
   void update(WorkspaceChange change);
+  void finish_command(const nlohmann::json& command);
   void show_title();
   void show_undo();
   void show_progress();
@@ -91,6 +94,7 @@ class MainWindow : public QMainWindow {
   void export_cage();
   void export_picture();
   void export_turntable();
+  void draw_turntable(const std::filesystem::path& folder, int frames);
   void remember(const std::filesystem::path& path);
   void fill_recent();
   void copy_slides();
@@ -109,6 +113,7 @@ class MainWindow : public QMainWindow {
   QTabWidget* tabs_ = nullptr;
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
+  bool shows_failure_ = false;
   QLabel *hint_ = nullptr, *stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;

@@ -15,6 +15,7 @@
 
 #include "host/app/main_window.h"
 #include "host/app/view_widget.h"
+#include "host/plugin_client/plugin_error.h"
 #include "host/scene/scene_names.h"
 
 namespace cagewright::host {
@@ -171,10 +172,33 @@ void MainWindow::export_turntable() {
   if (folder.isEmpty()) return;
   bool is_given = false;
   const int frames = QInputDialog::getInt(this, "Turntable", "Frames of one turn", 36, 2, 720, 1, &is_given);
-  if (!is_given || !wait_for_cage()) return;
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  editor_->run({{"command", "turntable"}, {"folder", folder.toStdString()}, {"frames", frames}});
-  QGuiApplication::restoreOverrideCursor();
+  if (is_given && wait_for_cage()) draw_turntable(path_of(folder), frames);
+}
+
+// Between two frames the box is painted, and its button heard.
+void MainWindow::draw_turntable(const fs::path& folder, int frames) {
+  QProgressDialog box(QString("Drawing %1 frames ...").arg(frames), "Cancel", 0, frames, this);
+  box.setWindowTitle("Turntable");
+  box.setWindowModality(Qt::ApplicationModal);
+  box.setMinimumDuration(0);
+  int drawn = -1;
+  editor_->script().interrupt_where([&] {
+    box.setValue(++drawn);
+    QApplication::processEvents();
+    return box.wasCanceled();
+  });
+  const std::string all = std::to_string(frames);
+  try {
+    editor_->run_or_throw({{"command", "turntable"}, {"folder", folder.string()}, {"frames", frames}});
+  } catch (const Cancelled&) {
+    say_done(drawn == 0 ? "Cancelled: no frame was written"
+                        : "Cancelled: frames 1 to " + std::to_string(drawn) + " of " + all + " are in " +
+                              folder.string() + ", the others were not drawn");
+  } catch (const std::exception& error) {
+    say_failure(std::string(error.what()) +
+                (drawn > 0 ? "; " + std::to_string(drawn) + " of " + all + " frames were written before" : ""));
+  }
+  editor_->script().interrupt_where({});
 }
 
 void MainWindow::remember(const fs::path& path) {
@@ -198,10 +222,11 @@ void MainWindow::fill_recent() {
 
 // As the text of a slides file, so that a text editor can take it, too.
 void MainWindow::copy_slides() {
-  editor_->attempt([this] {
-    QApplication::clipboard()->setText(
-        QString::fromStdString(editor_->workspace().copy_slides(editor_->workspace().selection())));
-  });
+  const std::vector<std::int64_t>& selection = editor_->workspace().selection();
+  const bool is_copied = editor_->attempt(
+      [&] { QApplication::clipboard()->setText(QString::fromStdString(editor_->workspace().copy_slides(selection))); });
+  if (is_copied)
+    say_done(selection.size() == 1 ? "Copied 1 slide" : "Copied " + std::to_string(selection.size()) + " slides");
 }
 
 void MainWindow::paste_slides() {

@@ -10,6 +10,11 @@
 #include "host/app/validation_dialog.h"
 
 namespace cagewright::host {
+namespace {
+
+std::string path_name(const QString& file) { return std::filesystem::path(file.toStdString()).filename().string(); }
+
+}  // namespace
 
 void MainWindow::record_script() {
   if (recorder_->is_recording()) return record({});
@@ -17,8 +22,13 @@ void MainWindow::record_script() {
 }
 
 void MainWindow::record(const std::filesystem::path& path) {
+  const bool was_recording = recorder_->is_recording();
   recorder_->stop();
-  if (!path.empty()) editor_->attempt([&] { recorder_->start(path); });
+  if (!path.empty()) {
+    if (editor_->attempt([&] { recorder_->start(path); })) say_done("Recording to " + path.filename().string());
+  } else if (was_recording) {
+    say_done("The recording is ended");
+  }
   record_->setChecked(recorder_->is_recording());
 }
 
@@ -28,19 +38,21 @@ void MainWindow::run_script() {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly))
     return say_failure("The script cannot be read: " + file.errorString().toStdString());
-  int number = 0;
+  int number = 0, count = 0;
   while (!file.atEnd()) {
     const QByteArray line = file.readLine().trimmed();
     ++number;
     if (line.isEmpty() || line.startsWith('#')) continue;
     try {
       editor_->run_or_throw(nlohmann::json::parse(line.constData()));
+      ++count;
     } catch (const std::exception& error) {
       QMessageBox::warning(this, "The script stopped",
                            QString("%1, line %2: %3").arg(name).arg(number).arg(error.what()));
       return;
     }
   }
+  say_done("Ran " + std::to_string(count) + (count == 1 ? " command of " : " commands of ") + path_name(name));
 }
 
 void MainWindow::validate() {

@@ -32,7 +32,8 @@ class ScriptRunner {
   // FileError, PluginError, PluginLoadError, PictureError, Cancelled; then nothing has changed.
   nlohmann::json run(const nlohmann::json& command);
 
-  // Asked while a command works for long (validate); where it answers true the command throws Cancelled. May be empty.
+  // Asked while a command works for long (validate, turntable: before each frame); where it answers true the command
+  // throws Cancelled. May be empty.
   void interrupt_where(std::function<bool()> is_interrupted);
 
   // Called with every command that was run, so that it can be recorded. May be empty.

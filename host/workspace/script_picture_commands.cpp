@@ -3,6 +3,7 @@
 
 #include "host/file/file_bytes.h"
 #include "host/file/file_error.h"
+#include "host/plugin_client/plugin_error.h"
 #include "host/workspace/scene_picture.h"
 #include "host/workspace/script_command.h"
 
@@ -50,11 +51,18 @@ ScriptJson turn(ScriptContext& context, const ScriptArguments& arguments) {
   if (frames < 1 || frames > most) arguments.fail("\"frames\" has to be from 1 to " + std::to_string(most));
   const std::filesystem::path folder = arguments.text("folder");
   context.workspace.wait_for_cage();
-  const PictureInput input = scene_picture(context.workspace);
+  PictureInput input = scene_picture(context.workspace);
+  // Of its own: between the frames a window goes on, and its cage may become another one.
+  const TriangleMesh model = context.workspace.mesh(), cage = context.workspace.cage().cage;
+  input.model_points = model.points;
+  input.model_triangles = model.triangles;
+  input.cage_points = cage.points;
+  input.cage_triangles = cage.triangles;
   std::error_code error;  // where it cannot be made the first file says so
   std::filesystem::create_directories(folder, error);
   std::uint64_t number = 0;
   for (const View& view : turntable(options.views.front(), frames)) {
+    if (context.is_interrupted && context.is_interrupted()) throw Cancelled();
     const std::string digits = std::to_string(++number);
     options.views = {view};
     write_picture(input, options, folder / ("frame_" + std::string(4 - digits.size(), '0') + digits + ".png"));

@@ -3,7 +3,9 @@
 
     python3 feedback_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
 """
-from window_case import run_tests, setUpModule, tearDownModule, WindowTest
+import shutil
+
+from window_case import path, run_tests, setUpModule, tearDownModule, WindowTest
 
 
 def rectangle(at):
@@ -28,6 +30,34 @@ class Themes(WindowTest):
         whole = (0, 0, outliners[0].width, outliners[0].height)
         self.assertGreater(outliners[0].differs(outliners[1], whole), 0.9 * whole[2] * whole[3])
         self.assertEqual(changed.differs(outliners[1], whole), 0)
+
+
+class Telling(WindowTest):
+    scene = 'biped.glb'
+
+    def test_the_sentence_of_what_failed_goes_when_the_next_thing_succeeds(self):
+        window = self.open()
+        window.settle()
+        window.key('ctrl+v')
+        window.wait_until(lambda s: 'clipboard holds no slides' in s['status'], 'it says so')
+        window.key('ctrl+a')
+        state = window.wait_until(lambda s: s['selection'], 'all are selected')
+        self.assertEqual(state['status'], '')
+        window.key('ctrl+c')
+        window.wait_until(lambda s: s['status'] == 'Copied 17 slides', 'it says so')
+
+    def test_a_save_is_told(self):
+        shutil.copy(path('biped.glb'), path('told.glb'))
+        window = self.open('told.glb')
+        window.settle()
+        window.key('ctrl+s')
+        window.wait_until(lambda s: s['status'] == 'Saved told.glb', 'it says so')
+
+    def test_a_file_that_cannot_be_opened_is_told_until_one_can(self):
+        window = self.open(path('none.glb'))
+        window.wait_until(lambda s: 'none.glb' in s['status'], 'it says so')
+        window.run('open', path=path('biped.off'))
+        self.assertEqual(window.state()['status'], '')
 
 
 if __name__ == '__main__':

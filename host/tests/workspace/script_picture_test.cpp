@@ -3,6 +3,7 @@
 // Needs a display: pictures of what is open.
 #include <nlohmann/json.hpp>
 
+#include "host/plugin_client/plugin_error.h"
 #include "host/tests/workspace/workspace_fixture.h"
 #include "host/view/tests/image.h"
 #include "host/workspace/script.h"
@@ -61,6 +62,22 @@ TEST_F(ScriptPictureTest, ATurntableIsAWholeTurnRoundWhatIsUp) {
   EXPECT_NEAR(aspects[0], aspects[2], 0.03);
   EXPECT_NEAR(aspects[1], aspects[3], 0.03);
   EXPECT_LT(aspects[1], aspects[0]) << "from the side it is narrower";
+}
+
+TEST_F(ScriptPictureTest, ATurntableAsksBeforeEachFrameWhetherToGoOnAndKeepsWhatItHasWritten) {
+  workspace_.open(model_);
+  int asked = 0;
+  runner_.interrupt_where([&] {
+    workspace_.close();  // whoever is asked may change what is open
+    return ++asked > 2;
+  });
+  EXPECT_THROW(
+      runner_.run(
+          {{"command", "turntable"}, {"folder", (folder_ / "turn").string()}, {"frames", 4}, {"size", {64, 64}}}),
+      Cancelled);
+  EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "turn" / "frame_0002.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "turn" / "frame_0003.png"));
 }
 
 TEST_F(ScriptPictureTest, WithoutAMeshThereIsNoPicture) { EXPECT_THROW(picture(Json::object()), CommandError); }

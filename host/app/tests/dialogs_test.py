@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Saving and exporting through the menus and file dialogs, by mouse and keyboard.
+
+    python3 dialogs_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
+"""
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+
+from window_case import path, PROGRAM, run_tests, setUpModule, tearDownModule, WindowTest
+
+
+def wait_for(holds, what, seconds=60):
+    end = time.monotonic() + seconds
+    while not holds():
+        if time.monotonic() > end:
+            raise AssertionError('not within %g s: %s' % (seconds, what))
+        time.sleep(0.05)
+
+
+class DialogTest(WindowTest):
+    scene = 'biped.glb'
+
+    def setUp(self):
+        super().setUp()
+        self.folder = tempfile.mkdtemp(prefix='cagewright-dialog-')
+        self.addCleanup(shutil.rmtree, self.folder, True)
+
+    def in_folder(self, name):
+        return os.path.join(self.folder, name)
+
+    def answer(self, window, title, text):
+        """Types into the dialog of that title and ends it."""
+        window.focus_dialog(title)
+        time.sleep(0.3)
+        window.key('ctrl+a')
+        window.type(text)
+        window.key('Return')
+
+    def status(self, window, text):
+        return window.wait_until(lambda s: text in s['status'], 'the status line says: ' + text)
+
+
+class Saving(DialogTest):
+    def test_save_as_writes_another_scene_which_is_then_the_open_one(self):
+        window = self.open()
+        window.settle()
+        window.key('ctrl+shift+s')
+        self.answer(window, 'Save as', self.in_folder('other.gltf'))
+        state = self.status(window, 'Saved other.gltf')
+        self.assertIn('other.gltf', state['title'])
+        window.focus('main_window')
+        window.run('remove_slides', slides=['brow'])
+        window.key('ctrl+s')
+        window.wait_until(lambda s: s['saved'], 'saved again, without a question')
+        window.close()
+        again = self.open(self.in_folder('other.gltf'))
+        self.assertEqual(len(again.settle()['slides']), 16)
+
+    def test_save_as_that_is_given_up_or_fails_leaves_the_scene_as_it_was(self):
+        window = self.open()
+        title = window.settle()['title']
+        window.key('ctrl+shift+s')
+        window.focus_dialog('Save as')
+        window.key('Escape')
+        window.focus('main_window')
+        window.key('ctrl+shift+s')
+        self.answer(window, 'Save as', self.in_folder('other.obj'))
+        window.focus_dialog('Not saved')
+        window.click_widget('OK')
+        self.assertEqual(window.state()['title'], title)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_saving_the_scene_of_a_model_asks_where_another_has_its_name(self):
+        shutil.copy(path('biped.off'), self.in_folder('taken.off'))
+        shutil.copy(path('biped.glb'), self.in_folder('taken.glb'))
+        window = self.open(self.in_folder('taken.off'))
+        window.settle()
+        window.run('add_slide', point=[0.138, 0.3, 0.05])
+        window.settle()
+        window.key('ctrl+s')
+        self.answer(window, 'Save as', self.in_folder('free.glb'))
+        self.status(window, 'Saved free.glb')
+        with open(path('biped.glb'), 'rb') as before, open(self.in_folder('taken.glb'), 'rb') as after:
+            self.assertEqual(after.read(), before.read())
+
+
+class Exporting(DialogTest):
+    def test_the_cage_is_exported_as_a_mesh_that_encloses_the_model(self):
+        window = self.open()
+        window.settle()
+        window.key('ctrl+e')
+        self.answer(window, 'Export the cage', self.in_folder('cage.obj'))
+        self.status(window, 'Exported the cage to cage.obj')
+        subprocess.run([PROGRAM, 'check', path('biped.off'), self.in_folder('cage.obj')], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def test_a_picture_is_exported(self):
+        window = self.open()
+        window.settle()
+        window.key('alt+f', 'p')
+        self.answer(window, 'Export a picture', self.in_folder('view.png'))
+        self.status(window, 'Exported a picture to view.png')
+        with open(self.in_folder('view.png'), 'rb') as file:
+            self.assertEqual(file.read(4), b'\x89PNG')
+
+    def turntable(self, window, frames):
+        window.focus('main_window')
+        window.key('alt+f', 't')
+        self.answer(window, 'Folder for', self.folder)
+        self.answer(window, 'Turntable', str(frames))
+
+    def frames(self):
+        return sorted(name for name in os.listdir(self.folder) if name.endswith('.png'))
+
+    def test_a_turntable_is_exported(self):
+        window = self.open()
+        window.settle()
+        self.turntable(window, 3)
+        self.status(window, 'Exported the frames of a turn to ' + self.folder)
+        self.assertEqual(self.frames(), ['frame_0001.png', 'frame_0002.png', 'frame_0003.png'])
+
+    def test_a_turntable_shows_how_far_it_is_and_can_be_cancelled(self):
+        window = self.open()
+        window.settle()
+        self.turntable(window, 300)
+        wait_for(lambda: len(self.frames()) > 1, 'frames are written')
+        self.assertTrue(window.ask(command='where', widget='Cancel')['ok'])
+        window.shot('turntable')
+        window.click_widget('Cancel')
+        state = self.status(window, 'Cancelled: frames 1 to ')
+        written = len(self.frames())
+        self.assertLess(written, 300)
+        self.assertIn('1 to %d of 300' % written, state['status'])
+        self.assertEqual(len(state['slides']), 17)
+        window.focus('main_window')
+        window.key('ctrl+a')
+        window.wait_until(lambda s: len(s['selection']) == 17, 'the window goes on')
+
+
+if __name__ == '__main__':
+    run_tests()
