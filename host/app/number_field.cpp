@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/number_field.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QStyle>
+#include <QStyleOptionFrame>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 namespace cagewright::host {
 namespace {
 
-constexpr int digits = 5;  // shown; the value keeps all
+constexpr int most_digits = 5;  // shown; the value keeps all
+constexpr int text_margin = 4;  // QLineEdit's, beside its text, and the cursor
+constexpr char widest[] = "-8e-888";
 
 }  // namespace
 
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
   setAlignment(Qt::AlignRight);
+  setMinimumWidth(fontMetrics().horizontalAdvance(widest) + 4 * text_margin);
   connect(this, &QLineEdit::editingFinished, this, [this] { finish(); });
   set_value(0);
 }
@@ -27,9 +34,28 @@ void NumberField::set_range(double least, double greatest, bool is_integer) {
 
 void NumberField::set_value(double value) {
   value_ = value;
-  setText(QLocale::c().toString(value, 'g', digits));
+  setText(fitting_text());
   setModified(false);
   setCursorPosition(0);
+}
+
+QString NumberField::fitting_text() const {
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - 2 * text_margin;
+  QString text;
+  for (int digits = most_digits; digits > 0; --digits) {
+    const QString shorter = QLocale::c().toString(value_, 'g', digits);  // 12345 is longer with three: 1.23e+04
+    const int width = fontMetrics().horizontalAdvance(shorter);
+    if (text.isEmpty() || width < fontMetrics().horizontalAdvance(text)) text = shorter;
+    if (width <= room) break;
+  }
+  return text;
+}
+
+void NumberField::resizeEvent(QResizeEvent* event) {
+  QLineEdit::resizeEvent(event);
+  if (!text().isEmpty() && !isModified()) set_value(value_);
 }
 
 void NumberField::show(double value) {
@@ -38,6 +64,11 @@ void NumberField::show(double value) {
 
 // Escape is the field's while it has the keys; undo is the window's where nothing was typed.
 bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && !text().isEmpty()) {
+    const QString value = QLocale::c().toString(value_, 'g', QLocale::FloatingPointShortest);
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), toolTip() + "\n" + value, this);
+    return true;
+  }
   if (event->type() == QEvent::ShortcutOverride) {
     auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Escape && isModified()) {

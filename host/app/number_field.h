@@ -8,9 +8,9 @@
 
 namespace cagewright::host {
 
-// A number of any size, shown with as many digits as it takes; a spin box would cut 1e-9 to 0. Told when return or
-// tabulator ends the editing; what is no number or out of range goes back to what it was. The arrow
-// keys change its second digit.
+// A number of any size, shown with as many digits as there is room for, its exponent always; a spin box would cut 1e-9
+// to 0. The tool tip has all digits. Told when return or tabulator ends the editing; what is no number or out of range
+// goes back to what it was. The arrow keys change its second digit.
 class NumberField : public QLineEdit {
  public:
   explicit NumberField(QWidget* parent = nullptr);
@@ -24,8 +24,10 @@ class NumberField : public QLineEdit {
  protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  QString fitting_text() const;
   void finish();
   void step(int steps);
 

@@ -16,7 +16,8 @@ QString number(double value, int digits = 4) {
 }
 QString degrees(double radians) { return number(radians * 180 / std::numbers::pi, 3) + "&deg;"; }
 QString row(const QString& name, const QString& value) {
-  return QString("<tr><td>%1&nbsp;&nbsp;</td><td align='right'>%2</td></tr>").arg(name, value);
+  return QString("<tr><td>%1&nbsp;&nbsp;</td><td align='right' style='white-space: nowrap;'>%2</td></tr>")
+      .arg(name, value);
 }
 
 QString measures_rows(const Measures& measures) {
@@ -69,6 +70,7 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   figures_ = new QLabel(this);
   figures_->setObjectName("figures");
   figures_->setTextFormat(Qt::RichText);
+  figures_->setWordWrap(true);  // as narrow as the panel is
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   plot_ = new ConvergencePlot(this);
   column->addWidget(verdict_);
@@ -103,7 +105,7 @@ void ReportPanel::show_cage() {
     if (cage.measures) rows += measures_rows(*cage.measures);
     rows += timings_rows(cage.summary, cage.milliseconds);
   }
-  figures_->setText("<table>" + rows + "</table>");
+  figures_->setText("<table width='100%'>" + rows + "</table>");
   plot_->show(cage.max_signed_distances);
 }
 

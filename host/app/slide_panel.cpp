@@ -15,6 +15,8 @@ namespace cagewright::host {
 SlidePanel::SlidePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
   setObjectName("slide");
   auto* form = new QFormLayout(this);
+  form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // three numbers beside one another need the room
+  form->setVerticalSpacing(3);
   name_ = new QLineEdit(this);
   name_->setObjectName("slide_name");
   name_->setToolTip("The slide's name: files, reports and sentences about it use it.");
@@ -46,7 +48,6 @@ void SlidePanel::add_numbers(QFormLayout& form, const QString& label, const QStr
     field->setObjectName(QString("%1_%2").arg(name).arg(i));
     field->setAccessibleName(QString("%1 %2").arg(label).arg(i + 1));
     field->setToolTip(tip);
-    field->setMinimumWidth(48);
     field->on_edit([this](double) { take_numbers(); });
     first[i] = field;
     row->addWidget(field);
