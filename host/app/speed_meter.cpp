@@ -41,8 +41,9 @@ SpeedMeter::Figures SpeedMeter::figures() const {
 std::string speed_text(const SpeedMeter::Figures& figures) {
   if (figures.cages == 0) return "cage: drag a slide";
   char text[120];
-  std::snprintf(text, sizeof text, "cage %.0f/s, %.0f ms (95 %%: %.0f ms), frame %.0f ms", figures.cages_per_second,
-                figures.median_ms, figures.percentile_95_ms, figures.frame_ms);
+  const int decimals = figures.cages_per_second < 9.95 ? 1 : 0;
+  std::snprintf(text, sizeof text, "cage %.*f/s, %.0f ms (95 %%: %.0f ms), frame %.0f ms", decimals,
+                figures.cages_per_second, figures.median_ms, figures.percentile_95_ms, figures.frame_ms);
   return text;
 }
 

@@ -31,7 +31,7 @@ class SpeedMeter {
   Clock::time_point first_, last_, last_asked_;
 };
 
-// For the view's corner: "cage 31/s, 27 ms (95 %: 41 ms), frame 12 ms".
+// For the view's corner: "cage 31/s, 27 ms (95 %: 41 ms), frame 12 ms"; below ten a second with one decimal.
 std::string speed_text(const SpeedMeter::Figures& figures);
 
 }  // namespace cagewright::host

@@ -238,7 +238,7 @@ class Editing(WindowTest):
         self.assertGreater(state['speed']['per_second'], 1)
         self.assertGreater(state['speed']['percentile_95_ms'], state['speed']['frame_ms'] / 2)
         time.sleep(0.6)
-        self.assertRegex(window.where(widget='speed')['text'], r'^cage \d+/s, \d+ ms \(95 %: \d+ ms\), frame \d+ ms$')
+        self.assertRegex(window.where(widget='speed')['text'], r'^cage (\d\d+|\d\.\d)/s, \d+ ms \(95 %: \d+ ms\), frame \d+ ms$')
         window.shot('speed')
         window.release()
         window.wait_until(lambda s: s['cage']['certified'], 'the whole cage is made')
