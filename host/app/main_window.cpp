@@ -32,11 +32,20 @@
 namespace cagewright::host {
 namespace {
 
-// For a reason that is among the slides, and nothing is being drawn or dragged that may mend it.
-bool gives_no_cage(const Workspace& workspace) {
+// The next step where the cage, and not the tool, decides it; empty: the tool does.
+QString step_to_a_cage(const Workspace& workspace) {
   const CageState& cage = workspace.cage();
-  const auto names_slides = [](const Problem& problem) { return !problem.slides.empty(); };
-  return cage.failed && workspace.preview().empty() && std::ranges::any_of(cage.problems, names_slides);
+  // What is being drawn or dragged may mend it.
+  if (workspace.mesh_node() < 0 || !workspace.preview().empty()) return {};
+  if (cage.failed) {
+    const auto names_slides = [](const Problem& problem) { return !problem.slides.empty(); };
+    return std::ranges::any_of(cage.problems, names_slides)
+               ? "These slides give no cage: click the sentence under Problems to see where. Ctrl+Z takes the last "
+                 "step back."
+               : "This model gives no cage: the sentence under Problems says why; a click on it shows the place.";
+  }
+  if (cage.is_of_now || workspace.progress().is_solving) return {};
+  return "The cage was stopped before it was made: G makes it, and so does any change.";
 }
 
 constexpr int dock_width = 290;
@@ -154,7 +163,7 @@ void MainWindow::update(WorkspaceChange change) {
     case WorkspaceChange::progress:
     case WorkspaceChange::cage:
       show_progress();
-      return;
+      break;
     case WorkspaceChange::saved:
       show_title();
       break;
@@ -211,11 +220,11 @@ void MainWindow::show_progress() {
 void MainWindow::show_hint() {
   const Workspace& workspace = editor_->workspace();
   if (!hint_) return;
-  hint_->setText(!workspace.has_scene()     ? "Open a model or scene: File > Open, or drop a file on the window."
-                 : !workspace.plugin()      ? "No plug-in is loaded: File > Plug-ins loads one."
-                 : gives_no_cage(workspace) ? "These slides give no cage: click the sentence under Problems to see "
-                                              "where. Ctrl+Z takes the last step back."
-                                            : view_->hint());
+  if (!workspace.has_scene())
+    return hint_->setText("Open a model or scene: File > Open, or drop a file on the window.");
+  if (!workspace.plugin()) return hint_->setText("No plug-in is loaded: File > Plug-ins loads one.");
+  const QString step = step_to_a_cage(workspace);
+  hint_->setText(step.isEmpty() ? view_->hint() : step);
 }
 
 void MainWindow::say_failure(const std::string& sentence) {

@@ -2,6 +2,10 @@
 #include "host/app/outliner.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
+#include <QTreeWidgetItemIterator>
+#include <set>
+#include <utility>
 
 #include "host/workspace/find_problem.h"
 
@@ -13,6 +17,16 @@ constexpr int node_item = QTreeWidgetItem::UserType, mesh_item = node_item + 1, 
 constexpr int id_role = Qt::UserRole;  // a slide's id or a mesh's node
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+// Of the cage that follows the slides.
+QString kind_of_cage(const Workspace& workspace) {
+  const CageState& cage = workspace.cage();
+  const bool is_solving = workspace.progress().is_solving;
+  if (cage.cage.triangles.empty()) return is_solving ? "being made" : cage.failed ? "none: see Problems" : "none yet";
+  if (cage.failed) return "cage, last good";
+  if (cage.is_of_now || !workspace.preview().empty()) return "cage, live";
+  return is_solving ? "cage, being made" : "cage, outdated";
+}
 
 }  // namespace
 
@@ -38,12 +52,20 @@ Outliner::Outliner(Editor& editor, QWidget* parent) : QTreeWidget(parent), edito
 void Outliner::update(WorkspaceChange change) {
   switch (change) {
     case WorkspaceChange::scene:
+      fill();
+      break;
     case WorkspaceChange::mesh:
     case WorkspaceChange::slides:
-      if (editor_.workspace().preview().empty()) fill();
+    case WorkspaceChange::plugin:
+      if (editor_.workspace().preview().empty()) fill_again();
       break;
     case WorkspaceChange::selection:
       show_selection();
+      for (QTreeWidgetItem* item : selectedItems())
+        if (visualItemRect(item).isValid()) scrollToItem(item);  // not within a branch that is folded up
+      break;
+    case WorkspaceChange::progress:
+      show_cage();
       break;
     case WorkspaceChange::cage:
       show_problems();
@@ -66,6 +88,7 @@ void Outliner::fill() {
   is_filling_ = true;
   clear();
   slides_.clear();
+  live_cage_ = nullptr;
   if (editor_.workspace().has_scene()) {
     std::map<int, QTreeWidgetItem*> items;
     add_nodes(items);
@@ -76,6 +99,27 @@ void Outliner::fill() {
   is_filling_ = false;
   show_selection();
   show_problems();
+}
+
+Outliner::Key Outliner::key_of(const QTreeWidgetItem& item) {
+  return {item.type(), item.data(0, id_role).toLongLong()};
+}
+
+void Outliner::fill_again() {
+  std::set<Key> folded;
+  for (QTreeWidgetItemIterator it(this); *it; ++it)
+    if ((*it)->childCount() > 0 && !(*it)->isExpanded()) folded.insert(key_of(**it));
+  const Key current = currentItem() ? key_of(*currentItem()) : Key();
+  const int across = horizontalScrollBar()->value(), down = verticalScrollBar()->value();
+  fill();
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const Key key = key_of(**it);
+    if (folded.contains(key)) (*it)->setExpanded(false);
+    if (key == current) selectionModel()->setCurrentIndex(indexFromItem(*it), QItemSelectionModel::NoUpdate);
+  }
+  executeDelayedItemsLayout();  // else the scroll bars have no range yet
+  horizontalScrollBar()->setValue(across);
+  verticalScrollBar()->setValue(down);
 }
 
 void Outliner::add_nodes(std::map<int, QTreeWidgetItem*>& items) {
@@ -136,7 +180,9 @@ void Outliner::add_cages(const std::map<int, QTreeWidgetItem*>& items) {
     const bool is_live = node == workspace.mesh_node() && workspace.plugin();
     if (!stored && !is_live) continue;
     const QString name = stored && !stored->name.empty() ? text(stored->name) : "cage";
-    add(parent, name, is_live ? "cage, live" : "cage", cage_item);
+    QTreeWidgetItem* item = add(parent, name, "cage", cage_item);
+    item->setData(0, id_role, node);
+    if (is_live) live_cage_ = item;
   }
 }
 
@@ -144,10 +190,7 @@ void Outliner::show_selection() {
   is_filling_ = true;
   clearSelection();
   for (const std::int64_t id : editor_.workspace().selection())
-    if (const auto found = slides_.find(id); found != slides_.end()) {
-      found->second->setSelected(true);
-      scrollToItem(found->second);
-    }
+    if (const auto found = slides_.find(id); found != slides_.end()) found->second->setSelected(true);
   is_filling_ = false;
 }
 
@@ -162,6 +205,15 @@ void Outliner::show_problems() {
     item->setToolTip(0, problem.isEmpty() ? item->text(0) : problem);
   }
   is_filling_ = false;
+  show_cage();
+}
+
+void Outliner::show_cage() {
+  if (!live_cage_) return;
+  const bool was_filling = std::exchange(is_filling_, true);
+  const QString kind = kind_of_cage(editor_.workspace());
+  if (live_cage_->text(1) != kind) live_cage_->setText(1, kind);
+  is_filling_ = was_filling;
 }
 
 void Outliner::take_selection() {
