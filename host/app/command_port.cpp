@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QStatusBar>
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <iostream>
@@ -35,6 +37,39 @@ json names(const Workspace& workspace, const std::vector<std::int64_t>& ids) {
   return all;
 }
 
+// Those that are seen: their texts, and the middle of each on the screen.
+json rows_of(const QAbstractItemView& view) {
+  json rows = json::array();
+  const int inside = 2;
+  QModelIndex row = view.indexAt(QPoint(inside, inside));
+  while (row.isValid()) {
+    json texts = json::array();
+    for (int column = 0; column < view.model()->columnCount(row.parent()); ++column)
+      texts.push_back(row.sibling(row.row(), column).data().toString().toStdString());
+    const QRect at = view.visualRect(row);
+    rows.push_back(position(view.viewport()->mapToGlobal(at.center())));
+    rows.back()["texts"] = std::move(texts);
+    row = view.indexAt(QPoint(inside, at.bottom() + inside));
+  }
+  return rows;
+}
+
+Point3 point_of(const json& command) {
+  const json& point = command["point"];
+  if (!point.is_array() || point.size() != 3 ||
+      !std::all_of(point.begin(), point.end(), [](const json& it) { return it.is_number(); }))
+    throw ScriptError("where: \"point\" has to be [x, y, z]");
+  return point.get<Point3>();
+}
+
+// Of a line; what the JSON library says of it is not for people.
+json parse_command(const std::string& line) {
+  json command = json::parse(line, nullptr, false);
+  if (!command.is_object() || !command.contains("command") || !command["command"].is_string())
+    throw ScriptError("a command is a JSON object on one line, {\"command\": \"state\"}");
+  return command;
+}
+
 }  // namespace
 
 CommandPort::CommandPort(MainWindow& window)
@@ -57,7 +92,7 @@ void CommandPort::read() {
 void CommandPort::answer(const std::string& line) {
   json reply = {{"ok", true}};
   try {
-    reply.update(run(json::parse(line)));
+    reply.update(run(parse_command(line)));
   } catch (const std::exception& error) {
     reply = {{"ok", false}, {"error", error.what()}};
   }
@@ -69,7 +104,9 @@ json CommandPort::run(const json& command) {
   if (name == "where") return where(command);
   if (name == "state") return state();
   if (name == "record") {
-    window_.record(command.value("path", ""));
+    const json path = command.value("path", json(""));
+    if (!path.is_string()) throw ScriptError("record: \"path\" has to be text");
+    window_.record(path.get<std::string>());
     return json::object();
   }
   const json result = window_.editor().run_or_throw(command);
@@ -77,11 +114,11 @@ json CommandPort::run(const json& command) {
 }
 
 json CommandPort::where(const json& command) const {
-  if (command.contains("point")) return position(window_.view().screen_position(command["point"].get<Point3>()));
-  if (command.contains("handle"))
-    return position(
-        window_.view().screen_position(window_.view().handles().places().at(command["handle"].get<std::size_t>())));
-  const auto name = QString::fromStdString(command.value("widget", ""));
+  if (command.contains("point")) return position(window_.view().screen_position(point_of(command)));
+  if (command.contains("handle")) return position(window_.view().screen_position(handle(command["handle"])));
+  if (!command.contains("widget") || !command["widget"].is_string())
+    throw ScriptError("where: needs \"point\", [x, y, z], \"handle\", a number, or \"widget\", a name");
+  const auto name = QString::fromStdString(command["widget"].get<std::string>());
   const QWidget* widget = find_widget(name);
   if (!widget) throw ScriptError("where: no such widget is there: " + name.toStdString());
   json place = position(widget->mapToGlobal(QPoint(0, 0)));
@@ -92,7 +129,17 @@ json CommandPort::where(const json& command) const {
       place["text"] = text.toString().toStdString();
       break;
     }
+  if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) place["rows"] = rows_of(*view);
   return place;
+}
+
+Point3 CommandPort::handle(const json& number) const {
+  const std::vector<Point3> places = window_.view().handles().places();
+  if (!number.is_number_unsigned() || number.get<std::size_t>() >= places.size())
+    throw ScriptError("where: there is no handle " + number.dump() +
+                      (places.empty() ? ": select a slide and take the tool move, turn or scale"
+                                      : ": they are numbered from 0 to " + std::to_string(places.size() - 1)));
+  return places[number.get<std::size_t>()];
 }
 
 json CommandPort::state() const {

@@ -4,6 +4,7 @@
     python3 feedback_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
 """
 import shutil
+import time
 
 from window_case import path, run_tests, setUpModule, tearDownModule, WindowTest
 
@@ -58,6 +59,103 @@ class Telling(WindowTest):
         window.wait_until(lambda s: 'none.glb' in s['status'], 'it says so')
         window.run('open', path=path('biped.off'))
         self.assertEqual(window.state()['status'], '')
+
+
+class Panels(WindowTest):
+    scene = 'biped.glb'
+
+    def test_numbers_keep_their_exponent_and_tell_all_digits(self):
+        window = self.open()
+        window.settle()
+        window.run('change_slides', slides=[{'name': 'waist', 'center': [-4.78123456e-17, 1.08, -123456.789],
+                                              'u': [0.2, 0, 0], 'v': [0, 0, 0.2]}])
+        window.run('select', slides=['waist'])
+        field = window.where(widget='slide_centre_0')
+        self.assertRegex(field['text'], r'^-4\.\d+e-17$')
+        # The leftmost pixels within the frame are empty: nothing is cut off.
+        shot = window.shot('numbers')
+        inside = (field['x'] + 3, field['y'] + 5, field['width'] - 6, field['height'] - 10)
+        text = shot.count(inside, lambda r, g, b: min(r, g, b) > 150)
+        self.assertGreater(text, 20)
+        self.assertEqual(shot.count((*inside[:2], 2, inside[3]), lambda r, g, b: min(r, g, b) > 150), 0)
+        window.move(field['x'] + 20, field['y'] + 10)
+        time.sleep(1.2)
+        self.assertIn('-4.78123456e-17', window.where(widget='qtooltip_label')['text'])
+
+    def test_the_report_is_as_wide_as_its_panel(self):
+        window = self.open()
+        window.settle()
+        dock, report = window.where(widget='report_dock'), window.where(widget='report')
+        scroll_bar = 10
+        self.assertLessEqual(report['x'] + report['width'], dock['x'] + dock['width'] - scroll_bar)
+        window.move(report['x'] + 100, dock['y'] + dock['height'] - 50)
+        window.xdotool('click', '--repeat', 20, '--delay', 10, 5)  # to its end
+        window.shot('report')
+
+
+class Outliner(WindowTest):
+    scene = 'biped.glb'
+
+    def rows(self, window):
+        return {row['texts'][0]: row for row in window.where(widget='outliner')['rows']}
+
+    def test_what_is_folded_up_stays_so_and_what_is_scrolled_to_stays_in_view(self):
+        window = self.open()
+        window.settle()
+        mesh = self.rows(window)['biped']
+        window.click(mesh['x'], mesh['y'])
+        window.key('Left')
+        self.assertEqual(list(self.rows(window)), ['biped'])
+        window.run('rename_slide', slide='waist', name='belly')
+        window.run('select', slides=['belly'])
+        window.run('duplicate_slides', slides=['belly'])
+        window.settle()
+        self.assertEqual(list(self.rows(window)), ['biped'])
+        window.key('Right')  # the keys are still the row's
+        self.assertIn('belly', self.rows(window))
+        for k in range(30):
+            window.run('duplicate_slides', slides=['neck'])
+        window.run('select', slides=['neck'])
+        window.settle()
+        at = window.where(widget='outliner')
+        window.move(at['x'] + 60, at['y'] + 100)
+        window.xdotool('click', '--repeat', 3, '--delay', 20, 5)
+        before = list(self.rows(window))
+        self.assertNotIn('neck', before)
+        window.run('set_parameter', id='orient.lambda', value=2)
+        window.run('change_slide', slide='belly', move=[0, 0.001, 0])
+        self.assertEqual(list(self.rows(window)), before)
+
+    def kind(self, window, kind):
+        window.wait_until(lambda s: self.rows(window)['biped cage']['texts'][1] == kind, 'it says ' + kind)
+
+    def test_says_what_there_is_of_the_cage(self):
+        window = self.open()
+        window.settle()
+        self.kind(window, 'cage, live')
+        waist = next(slide for slide in window.state()['slides'] if slide['name'] == 'waist')
+        window.run('add_slide', name='tilted', point=waist['center'], normal=[0.35, 1, 0])
+        self.kind(window, 'cage, last good')
+        self.assertIn('These slides give no cage', window.where(widget='hint')['text'])
+        window.key('ctrl+z')
+        self.kind(window, 'cage, live')
+        window.run('set_parameter', id='refine.delta', value=0.05)  # slow: seconds
+        self.kind(window, 'cage, being made')
+        window.key('Escape')
+        self.kind(window, 'cage, outdated')
+        self.assertIn('G makes it', window.where(widget='hint')['text'])
+
+    def test_says_that_a_model_gives_no_cage_and_why(self):
+        with open(path('biped.off')) as file:
+            lines = file.read().splitlines()
+        with open(path('open.off'), 'w') as file:
+            vertices, faces, edges = lines[1].split()
+            file.write('\n'.join([lines[0], '%s %d %s' % (vertices, int(faces) - 1, edges)] + lines[2:-1]) + '\n')
+        window = self.open('open.off')
+        window.wait_until(lambda s: s['problems'], 'it says why')
+        self.assertEqual(self.rows(window)['cage']['texts'][1], 'none: see Problems')
+        self.assertIn('This model gives no cage', window.where(widget='hint')['text'])
+        window.shot('open_model')
 
 
 if __name__ == '__main__':

@@ -214,6 +214,23 @@ class Working(WindowTest):
         window.key('ctrl+z')
         window.wait_until(lambda s: s['cage']['certified'] and s['cage']['is_of_now'], 'certified again')
 
+    def test_a_command_that_cannot_be_run_is_answered_by_a_sentence_of_ours(self):
+        window = self.open('biped.glb')
+        window.settle()
+        refusals = [({'handle': 0}, 'take the tool'), ({'handle': -1}, 'no handle -1'), ({'handle': 'x'}, 'no handle'),
+                    ({'point': [0, 1]}, '[x, y, z]'), ({'widget': 7}, 'a name'), ({'widget': 'none'}, 'no such widget')]
+        for arguments, words in refusals:
+            with self.subTest(arguments):
+                error = window.ask(command='where', **arguments)['error']
+                self.assertIn(words, error)
+                self.assertNotIn('[json', error)
+        window.run('select', slides=['waist'])
+        window.key('w')
+        time.sleep(0.3)
+        self.assertIn('from 0 to', window.ask(command='where', handle=99)['error'])
+        for line in ('{"command":', '[]', '{"command": 7}'):
+            self.assertIn('a JSON object on one line', window.ask_line(line)['error'])
+
     def test_a_parameter_is_set_by_its_field(self):
         window = self.open('biped.glb')
         window.settle()

@@ -111,13 +111,17 @@ class Window:
 
     def ask(self, timeout=60, **command):
         """Runs a command and returns its answer; 'ok' tells whether it went well."""
-        self.process.stdin.write(json.dumps(command).encode() + b'\n')
+        return self.ask_line(json.dumps(command), timeout)
+
+    def ask_line(self, line, timeout=60):
+        """The same of any text."""
+        self.process.stdin.write(line.encode() + b'\n')
         self.process.stdin.flush()
         end = time.monotonic() + timeout
         while b'\n' not in self.pending:
             ready, _, _ = select.select([self.process.stdout], [], [], max(0, end - time.monotonic()))
             if not ready:
-                raise AssertionError('no answer within %g s to %r' % (timeout, command))
+                raise AssertionError('no answer within %g s to %s' % (timeout, line))
             more = os.read(self.process.stdout.fileno(), 1 << 20)
             if not more:
                 raise AssertionError('the window has gone (exit code %r)' % self.process.wait())
