@@ -121,6 +121,7 @@ void MainWindow::make_docks() {
     else if (!problem.slides.empty())
       view_->frame_selection();
   });
+  problems_->on_mark([this](const std::optional<Point3>& place) { view_->mark_place(place); });
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("tabs");
   tabs_->addTab(scrolled(new SlidePanel(*editor_, this)), "Slide");

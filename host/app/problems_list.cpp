@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/problems_list.h"
 
+#include <algorithm>
+
 namespace cagewright::host {
+namespace {
+
+bool is_same(const Problem& a, const Problem& b) {
+  return a.sentence == b.sentence && a.slides == b.slides && a.place == b.place;
+}
+
+}  // namespace
 
 ProblemsList::ProblemsList(Editor& editor, QWidget* parent) : QListWidget(parent), editor_(editor) {
   setObjectName("problems");
@@ -21,7 +30,9 @@ void ProblemsList::fill() {
   for (const Problem& problem : problems) {
     auto* item = new QListWidgetItem(QString::fromStdString(problem.sentence), this);
     item->setToolTip("Click to see the place: " + item->text());
+    if (marked_ && is_same(problem, *marked_)) setCurrentItem(item);
   }
+  if (marked_ && std::ranges::none_of(problems, [this](const Problem& it) { return is_same(it, *marked_); })) mark({});
   if (count_) count_(static_cast<int>(problems.size()));
 }
 
@@ -35,7 +46,13 @@ void ProblemsList::show_problem(int row) {
       if (const SceneSlide* slide = editor_.workspace().document().find_slide(id)) names.push_back(slide->name);
     editor_.run({{"command", "select"}, {"slides", names}});
   }
+  mark(problem);
   if (frame_) frame_(problem);
+}
+
+void ProblemsList::mark(const std::optional<Problem>& problem) {
+  marked_ = problem;
+  if (mark_) mark_(problem ? problem->place : std::nullopt);
 }
 
 }  // namespace cagewright::host

@@ -241,6 +241,11 @@ void ViewWidget::frame_place(const Point3& place) {
   render_soon();
 }
 
+void ViewWidget::mark_place(const std::optional<Point3>& place) {
+  scene_->set_place(place);
+  render_soon();
+}
+
 void ViewWidget::set_dark(bool dark) {
   ViewOptions options = scene_->options();
   options.dark = dark;

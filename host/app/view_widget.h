@@ -51,8 +51,9 @@ class ViewWidget : public QWidget {
   void frame_selection();
   void frame_slide(const std::string& name);
   void frame_place(const Point3& place);
-  void show_help(const QString& text);                // over the view; empty: none
-  const SpeedMeter& speed() const { return speed_; }  // of the drag, or the last one
+  void mark_place(const std::optional<Point3>& place);  // empty: no mark
+  void show_help(const QString& text);                  // over the view; empty: none
+  const SpeedMeter& speed() const { return speed_; }    // of the drag, or the last one
 
   void render_soon();
   void set_dark(bool dark);

@@ -68,7 +68,8 @@ void MainWindow::open(const fs::path& path) {
 void MainWindow::show_first_help() {
   // It would cover what is drawn on; the line at the bottom goes on with what it says.
   const bool is_wanted = editor_->workspace().has_scene() && editor_->workspace().slides().empty() &&
-                         !view_->is_drawing() && !QSettings().value("knows_slides", false).toBool();
+                         !editor_->workspace().cage().failed && !view_->is_drawing() &&
+                         !QSettings().value("knows_slides", false).toBool();
   view_->show_help(is_wanted ? first_help : "");
 }
 

@@ -13,6 +13,11 @@ def rectangle(at):
     return at['x'], at['y'], at['width'], at['height']
 
 
+def is_orange(r, g, b):
+    """What marks a problem's place."""
+    return r > 220 and 60 < g < 130 and b < 60
+
+
 class Themes(WindowTest):
     scene = 'biped.glb'
 
@@ -145,17 +150,37 @@ class Outliner(WindowTest):
         self.kind(window, 'cage, outdated')
         self.assertIn('G makes it', window.where(widget='hint')['text'])
 
-    def test_says_that_a_model_gives_no_cage_and_why(self):
+    def open_model(self):
         with open(path('biped.off')) as file:
             lines = file.read().splitlines()
         with open(path('open.off'), 'w') as file:
             vertices, faces, edges = lines[1].split()
             file.write('\n'.join([lines[0], '%s %d %s' % (vertices, int(faces) - 1, edges)] + lines[2:-1]) + '\n')
-        window = self.open('open.off')
+        return 'open.off'
+
+    def test_says_that_a_model_gives_no_cage_and_why(self):
+        window = self.open(self.open_model())
         window.wait_until(lambda s: s['problems'], 'it says why')
         self.assertEqual(self.rows(window)['cage']['texts'][1], 'none: see Problems')
         self.assertIn('This model gives no cage', window.where(widget='hint')['text'])
-        window.shot('open_model')
+        self.assertFalse(window.ask(command='where', widget='help')['ok'])  # nothing to draw on
+
+    def test_a_problem_that_is_clicked_is_marked_at_its_place_until_it_is_gone(self):
+        window = self.open(self.open_model())
+        window.wait_until(lambda s: s['problems'], 'it says why')
+        view = window.view()
+        self.assertEqual(window.shot().count(view, is_orange), 0)
+        problem = window.where(widget='problems')['rows'][0]
+        window.click(problem['x'], problem['y'])
+        at = window.where(point=window.run('wait')['problems'][0]['place'])
+        shot = window.shot('marked')
+        self.assertGreater(shot.count((at['x'] - 30, at['y'] - 30, 60, 60), is_orange), 50)
+        window.run('look', axis='back')
+        at = window.where(point=window.run('wait')['problems'][0]['place'])
+        self.assertGreater(window.shot().count((at['x'] - 30, at['y'] - 30, 60, 60), is_orange), 50)
+        window.run('open', path=path('biped.off'))
+        window.settle()
+        self.assertEqual(window.shot().count(view, is_orange), 0)
 
 
 if __name__ == '__main__':

@@ -68,6 +68,34 @@ TEST_F(SceneLook, SlidesAreRedAndGoneWhereTheyAreSwitchedOff) {
   EXPECT_GT(without.count(is_model_grey), 20000);
 }
 
+TEST_F(SceneLook, AMarkedPlaceIsSeenThroughTheModelWhereItIsUntilTheMarkIsTakenAway) {
+  view->set_meshes({shown(sphere_mesh(24))});
+  frame_all();
+  const Image without = draw();
+  EXPECT_EQ(without.count(is_orange), 0);
+  for (const Point3& place : {Point3{0, 0, -1}, Point3{0.5, 0.3, 0.8}}) {
+    view->set_place(place);
+    const Image image = draw("marked");
+    EXPECT_GT(image.count(is_orange), 100);
+    const auto [x, y] = view->to_display(place);
+    double column = 0, row = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      const auto& [r, g, b] = image.pixels[i];
+      if (!is_orange(r, g, b)) continue;
+      column += static_cast<double>(i % static_cast<std::size_t>(image.width));
+      row += static_cast<double>(i / static_cast<std::size_t>(image.width));
+      ++count;
+    }
+    EXPECT_NEAR(column / count, x, 1.5);
+    EXPECT_NEAR(row / count, y, 1.5);
+  }
+  view->set_place(Point3{0, 0, 40});  // behind the viewer
+  EXPECT_EQ(draw().count(is_orange), 0);
+  view->set_place({});
+  EXPECT_EQ(draw().pixels, without.pixels);
+}
+
 TEST_F(SceneLook, SelectedSlidesAreYellowAndPreviewsPalerThanOthers) {
   ShownSlide slide = level_slide(1, 1.2);
   slide.is_selected = true;

@@ -17,6 +17,7 @@
 #include "host/view/window/ground_grid.h"
 #include "host/view/window/line_actor.h"
 #include "host/view/window/mesh_picker.h"
+#include "host/view/window/place_mark.h"
 #include "host/view/window/scene_view.h"
 #include "host/view/window/slide_actors.h"
 #include "host/view/window/slide_labels.h"
@@ -73,6 +74,7 @@ struct SceneView::State {
   CageActors cage_actors;
   SlideActors slide_actors;
   SlideLabels slide_labels;
+  PlaceMark place_mark;
   LineActor stroke;
   vtkNew<vtkLight> light;
   vtkNew<vtkRenderStepsPass> pass;

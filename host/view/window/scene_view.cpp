@@ -54,6 +54,7 @@ SceneView::State::State(vtkRenderer& of)
       cage_actors(of),
       slide_actors(of),
       slide_labels(of),
+      place_mark(of),
       stroke(of, kStroke) {
   renderer.AutomaticLightCreationOff();
   renderer.RemoveAllLights();
@@ -180,6 +181,7 @@ void SceneView::State::before_frame() {
   slide_actors.set_pixel_ratio(ratio);
   stroke.set_pixel_ratio(ratio);
   slide_labels.place(active_to_scene());
+  place_mark.follow(active_to_scene());
 }
 
 void SceneView::State::fit_grid() {
@@ -262,6 +264,8 @@ void SceneView::set_stroke(const std::vector<Point3>& points) {
   if (points.size() > 1) runs.emplace_back(points.begin(), points.end());
   state_->stroke.set(std::move(runs), false);
 }
+
+void SceneView::set_place(const std::optional<Point3>& place) { state_->place_mark.set(place); }
 
 void SceneView::set_options(const ViewOptions& options) {
   state_->options = options;

@@ -75,6 +75,8 @@ class SceneView {
   void set_slides(std::vector<ShownSlide> slides);
   void set_cage(const ShownCage* cage);                // null: none
   void set_stroke(const std::vector<Point3>& points);  // while it is drawn; empty: none
+  // A mark on top of everything, in the active mesh's space; empty: none.
+  void set_place(const std::optional<Point3>& place);
   void set_options(const ViewOptions& options);
   const ViewOptions& options() const;
 
