@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAction>
 #include <QApplication>
 #include <QStatusBar>
 #include <algorithm>
@@ -151,6 +152,10 @@ json CommandPort::state() const {
               {"status", window_.statusBar()->currentMessage().toStdString()},
               {"solving", workspace.progress().is_solving},
               {"has_scene", workspace.has_scene()}};
+  json marks = json::array();
+  for (const QAction* action : window_.findChildren<QAction*>())
+    if (action->isChecked() && !action->objectName().isEmpty()) marks.push_back(action->objectName().toStdString());
+  all["marks"] = std::move(marks);
   if (!workspace.has_scene()) return all;
   const CageState& cage = workspace.cage();
   all["mesh"] = workspace.mesh_node();

@@ -18,7 +18,8 @@ namespace cagewright::host {
 //                                              what is written on it and, of a list or tree, the rows that are seen
 //   {"command": "where", "handle": 0}           a handle of the selected slides
 //   {"command": "record", "path": "session.jsonl"}   records what is done; without a path: no longer
-//   {"command": "state"}                        what is open, selected, wrong and being done
+//   {"command": "state"}                        what is open, selected, wrong and being done, and which menu
+//                                              entries have a mark
 // The end of standard input closes nothing.
 class CommandPort : public QObject {
  public:

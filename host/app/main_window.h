@@ -66,12 +66,17 @@ class MainWindow : public QMainWindow {
                        const nlohmann::json& command);
   QAction* add_for_selection(QMenu& menu, const char* name, const char* text, const char* keys, const char* tip,
                              const nlohmann::json& command);
+  void add_mark(QMenu& menu, const Item& item, QActionGroup* group, const std::function<nlohmann::json(bool)>& command,
+                const std::function<bool()>& holds);
+  void show_marks();
   void make_docks();
   void make_menus();
   void make_file_menu();
   void make_edit_menu();
   void make_slide_menu();
   void make_view_menu();
+  void add_look_marks(QMenu& menu);
+  void add_show_marks(QMenu& menu);
   void make_cage_menu();
   void make_help_menu();
   void make_status_line();
@@ -97,6 +102,8 @@ class MainWindow : public QMainWindow {
   void draw_turntable(const std::filesystem::path& folder, int frames);
   void remember(const std::filesystem::path& path);
   void fill_recent();
+  void mirror_slides(const QString& axis);
+  void set_mirror_axis(const QString& axis);
   void copy_slides();
   void paste_slides();
   void record_script();
@@ -118,7 +125,9 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QMenu* recent_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr;
+  QString mirror_axis_;                              // chosen last: "x", "y" or "z"
+  std::vector<std::function<void()>> marks_;         // of menus: each sets one as the view is
   std::vector<QAction*> for_scene_, for_selection_;  // enabled only then
   QActionGroup* tools_ = nullptr;
 };

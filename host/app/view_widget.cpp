@@ -216,7 +216,10 @@ void ViewWidget::run(const nlohmann::json& command) {
     scene_->set_options(options);
   }
   render_soon();
+  if (look_changed_) look_changed_();
 }
+
+bool ViewWidget::shows_speed() const { return speed_label_->isVisibleTo(this); }
 
 void ViewWidget::frame_all() {
   if (const auto bounds = scene_->bounds()) camera_->frame(*bounds);

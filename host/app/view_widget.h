@@ -43,6 +43,8 @@ class ViewWidget : public QWidget {
   bool is_drawing() const { return tool_ == stroke_tool_.get(); }
   QString hint() const { return tool_->hint(); }
   void on_hint(std::function<void()> changed) { hint_changed_ = std::move(changed); }
+  void on_look(std::function<void()> changed) { look_changed_ = std::move(changed); }  // by a command of run()
+  bool shows_speed() const;
   bool cancel_tool();  // false: there was nothing to give up
 
   // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
@@ -100,7 +102,7 @@ class ViewWidget : public QWidget {
   bool render_is_due_ = false;
   QTimer late_frame_, speed_timer_;
   SpeedMeter::Clock::time_point drawn_;  // when the change was made that the drawn cage answers
-  std::function<void()> hint_changed_;
+  std::function<void()> hint_changed_, look_changed_;
   SpeedMeter speed_;
   QLabel *help_ = nullptr, *speed_label_ = nullptr;
 };

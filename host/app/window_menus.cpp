@@ -167,73 +167,40 @@ void MainWindow::make_slide_menu() {
   menu.addSeparator();
   add_for_selection(menu, "snap", "S&nap to Loop", "N", "Each selected slide becomes the ellipse of its plane's loop",
                     {{"command", "snap_slides"}});
-  const char* axes[] = {"x", "y", "z"};
-  QMenu& mirror = *menu.addMenu("M&irror");
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string name = std::string("mirror_") + axes[axis], text = std::string("Mirror Across &") + axes[axis];
-    add_for_selection(mirror, name.c_str(), text.c_str(), axis == 0 ? "M" : "",
-                      "Adds a copy of each selected slide on the other side of the mesh's middle",
-                      {{"command", "mirror_slides"}, {"axis", axes[axis]}});
+  mirror_ = add(menu, {"mirror", "M&irror", "M", "", [this] { mirror_slides(mirror_axis_); }});
+  for_selection_.push_back(mirror_);
+  QMenu& across = *menu.addMenu("Mirror &Across");
+  auto* axes = new QActionGroup(this);
+  for (const char* axis : {"x", "y", "z"}) {
+    QAction* action =
+        add_check(across,
+                  {axis, axis, "", "Adds a copy of each selected slide on the other side of the mesh's middle",
+                   [this, axis] { mirror_slides(axis); }},
+                  false);
+    action->setObjectName(QString("mirror_") + axis);
+    action->setText(QString("&") + axis);
+    axes->addAction(action);
+    for_selection_.push_back(action);
   }
+  const QString last = QSettings().value("mirror_axis", "x").toString();
+  set_mirror_axis(findChild<QAction*>("mirror_" + last) ? last : QString("x"));
 }
 
-void MainWindow::make_view_menu() {
-  QMenu& menu = *menuBar()->addMenu("&View");
-  add_command(menu, "frame_selection", "Frame &Selection", "F", "Brings the selected slides into view",
-              {{"command", "frame"}, {"what", "selection"}});
-  add_command(menu, "frame_all", "Frame &All", "A", "Brings everything into view",
-              {{"command", "frame"}, {"what", "all"}});
-  QMenu& look = *menu.addMenu("&Look");
-  const char* axes[] = {"perspective", "front", "back", "left", "right", "top", "bottom"};
-  for (int i = 0; i < 7; ++i)
-    add_command(look, axes[i], QString("&%1 %2").arg(i).arg(axes[i]).toUtf8().constData(),
-                QString("Alt+%1").arg(i).toUtf8().constData(),
-                QString("Looks from there: %1").arg(axes[i]).toUtf8().constData(),
-                {{"command", "look"}, {"axis", axes[i]}});
-  const auto check = [&](const char* name, const char* text, const char* keys, const char* tip, bool on,
-                         const std::function<json(bool)>& command) {
-    QAction* action = add_check(menu, {name, text, keys, tip, [] {}}, on);
-    connect(action, &QAction::toggled, this, [this, command](bool is_on) { editor_->run(command(is_on)); });
-  };
-  check("orthographic", "&Orthographic", "O", "Without perspective", false, [](bool on) {
-    return json{{"command", "projection"}, {"orthographic", on}};
-  });
-  menu.addSeparator();
-  add_command(menu, "wireframe", "&Wireframe", "4", "The model's edges",
-              {{"command", "show"}, {"what", "wireframe"}, {"on", true}});
-  add_command(menu, "shaded", "S&haded", "5", "The model's surface",
-              {{"command", "show"}, {"what", "wireframe"}, {"on", false}});
-  add_command(menu, "colours_plain", "&Plain Colour", "6", "The model in one colour",
-              {{"command", "colours"}, {"by", "plain"}});
-  add_command(menu, "colours_parts", "Colour Pa&rts", "7", "Each part of the model in a colour of its own",
-              {{"command", "colours"}, {"by", "parts"}});
-  add_command(menu, "colours_coverage", "Colour &Coverage", "8", "What pokes out of the cage is red",
-              {{"command", "colours"}, {"by", "coverage"}});
-  menu.addSeparator();
-  const struct {
-    const char *name, *text, *what;
-  } shown[] = {{"show_model", "Show &Model", "model"},
-               {"show_slides", "Show S&lides", "slides"},
-               {"show_sections", "Show Sec&tions", "sections"},
-               {"show_cage", "Show Ca&ge", "cage"},
-               {"show_cage_faces", "Show Cage &Faces", "cage_faces"},
-               {"show_grid", "Show Gr&id", "grid"}};
-  for (const auto& [name, text, what] : shown)
-    check(name, text, "", "Whether it is drawn", true, [what = std::string(what)](bool on) {
-      return json{{"command", "show"}, {"what", what}, {"on", on}};
-    });
-  check("show_speed", "Show Sp&eed", "", "How many cages a second follow a drag, and how long one takes", false,
-        [](bool on) {
-          return json{{"command", "show"}, {"what", "speed"}, {"on", on}};
-        });
-  QMenu& panels = *menu.addMenu("Pa&nels");
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) panels.addAction(dock->toggleViewAction());
-  menu.addSeparator();
-  QAction* dark = add_check(menu, {"dark", "&Dark Theme", "", "Dark or light colours", [] {}}, true);
-  connect(dark, &QAction::triggered, this, [this](bool on) {  // not where set_dark sets it
-    set_dark(on);
-    QSettings().setValue("dark", on);
-  });
+void MainWindow::mirror_slides(const QString& axis) {
+  set_mirror_axis(axis);
+  QSettings().setValue("mirror_axis", axis);
+  editor_->run({{"command", "mirror_slides"}, {"axis", axis.toStdString()}, {"slides", editor_->selected_names()}});
+}
+
+// The key and the button do what was chosen last.
+void MainWindow::set_mirror_axis(const QString& axis) {
+  mirror_axis_ = axis;
+  findChild<QAction*>("mirror_" + axis)->setChecked(true);
+  mirror_->setText(QString("M&irror Across %1").arg(axis));
+  const QString tip =
+      QString("Adds a copy of each selected slide on the other side of the mesh's middle, across %1").arg(axis);
+  mirror_->setStatusTip(tip);
+  mirror_->setToolTip(tip + "; another plane: Slides > Mirror Across (M)");
 }
 
 void MainWindow::make_cage_menu() {
@@ -272,7 +239,7 @@ void MainWindow::make_tool_bar() {
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
   bar->addActions(tools_->actions());
   bar->addSeparator();
-  for (const char* name : {"snap", "mirror_x", "frame_all", "colours_parts", "colours_coverage"})
+  for (const char* name : {"snap", "mirror", "frame_all", "colours_plain", "colours_parts", "colours_coverage"})
     if (auto* action = findChild<QAction*>(name)) bar->addAction(action);
 }
 

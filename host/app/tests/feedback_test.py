@@ -29,7 +29,7 @@ class Themes(WindowTest):
             window.move(700, 450)
             outliners.append(window.shot('outliner_' + theme).part(rectangle(window.where(widget='outliner'))))
             if theme == 'dark':
-                window.key('alt+v', 'd')  # to light; the menu's mark has followed --theme
+                window.key('alt+v', 'k')  # to light; the menu's mark has followed --theme
                 window.settle()
                 changed = window.shot('outliner_changed').part(rectangle(window.where(widget='outliner')))
             window.close()
@@ -181,6 +181,63 @@ class Outliner(WindowTest):
         window.run('open', path=path('biped.off'))
         window.settle()
         self.assertEqual(window.shot().count(view, is_orange), 0)
+
+
+class Menus(WindowTest):
+    scene = 'biped.glb'
+
+    def marks(self, window):
+        return set(window.state()['marks'])
+
+    def test_marks_follow_scripts_as_well_as_keys_and_menus(self):
+        window = self.open()
+        window.settle()
+        begin = self.marks(window)
+        self.assertLessEqual({'shaded', 'colours_plain', 'show_cage', 'show_grid', 'tool_select', 'dark'}, begin)
+        self.assertFalse(begin & {'orthographic', 'wireframe', 'colours_parts', 'colours_coverage', 'show_speed'})
+        window.run('show', what='cage', on=False)
+        window.run('show', what='speed', on=True)
+        window.run('show', what='wireframe', on=True)
+        window.run('colours', by='coverage')
+        window.run('projection', orthographic=True)
+        scripted = begin - {'show_cage', 'shaded', 'colours_plain'} | {'show_speed', 'wireframe', 'colours_coverage',
+                                                                       'orthographic'}
+        self.assertEqual(self.marks(window), scripted)
+        window.key('o', '5', '7')
+        self.assertEqual(self.marks(window), scripted - {'orthographic', 'wireframe', 'colours_coverage'} |
+                         {'shaded', 'colours_parts'})
+        view = window.view()
+        without = window.shot()
+        window.key('alt+v', 'g')  # a mark that a script has taken away is set by one choice, not by two
+        window.settle()
+        self.assertIn('show_cage', self.marks(window))
+        self.assertGreater(window.shot('marks').differs(without, view), 3000)
+
+    def test_the_key_and_the_button_mirror_across_the_plane_that_was_chosen_last(self):
+        window = self.open()
+        window.settle()
+
+        def mirrored(act):
+            window.run('select', slides=['neck'])
+            before = {slide['name'] for slide in window.state()['slides']}
+            act()
+            state = window.wait_until(lambda s: len(s['slides']) > len(before), 'a slide more')
+            new = next(slide for slide in state['slides'] if slide['name'] not in before)
+            neck = next(slide for slide in state['slides'] if slide['name'] == 'neck')
+            away = [abs(a - b) for a, b in zip(new['center'], neck['center'])]
+            return 'xyz'[away.index(max(away))]
+
+        window.run('change_slide', slide='neck', move=[0.01, 0, 0.1])
+        self.assertEqual(mirrored(lambda: window.key('alt+s', 'a', 'y')), 'y')
+        self.assertEqual(mirrored(lambda: window.key('m')), 'y')
+        self.assertEqual(mirrored(lambda: window.click_widget('Mirror Across y')), 'y')
+        self.assertEqual(mirrored(lambda: window.key('alt+s', 'a', 'z')), 'z')
+        self.assertEqual(mirrored(lambda: window.key('m')), 'z')
+        at = window.where(widget='Mirror Across z')
+        window.move(at['x'] + 20, at['y'] + 10)
+        time.sleep(1.2)
+        self.assertIn('across z', window.where(widget='qtooltip_label')['text'])
+        self.assertIn('mirror_z', self.marks(window))
 
 
 if __name__ == '__main__':
