@@ -41,6 +41,7 @@ std::optional<fs::path> Autosave::recoverable(const fs::path& scene) {
   if (none) return {};
   const auto saved = fs::last_write_time(scene, none);
   if (!none && saved > written) return {};
+  if (SceneLock::is_held(scene)) return {};
   return file;
 }
 
@@ -49,11 +50,12 @@ void Autosave::update(WorkspaceChange change) {
   if (change == WorkspaceChange::scene) {
     discard();  // of the scene before: who was to be asked was asked
     scene_ = workspace.has_scene() ? workspace.path() : fs::path();
+    lock_.take(scene_);
     return;
   }
   if (change == WorkspaceChange::saved && workspace.has_scene() && workspace.is_saved()) {
     discard();
-    scene_ = workspace.path();
+    if (std::exchange(scene_, workspace.path()) != workspace.path()) lock_.take(scene_);
     return;
   }
   const bool is_change = change == WorkspaceChange::slides || change == WorkspaceChange::parameters;
@@ -61,8 +63,16 @@ void Autosave::update(WorkspaceChange change) {
     timer_.start(delay_);
 }
 
+// What another window has left when it ended by itself is not to be written over.
+bool Autosave::may_write() {
+  std::error_code none;
+  if (lock_.is_elsewhere() && !fs::exists(file_for(scene_), none)) lock_.take_again();
+  return !lock_.is_elsewhere();
+}
+
 void Autosave::write() {
   if (!editor_.workspace().has_scene() || editor_.workspace().is_saved()) return;
+  if (!may_write()) return timer_.start(delay_);
   is_due_ = writer_.joinable();
   if (is_due_) return;
   std::function<void()> job;

@@ -10,12 +10,14 @@
 #include <thread>
 
 #include "host/app/editor.h"
+#include "host/app/scene_lock.h"
 
 namespace cagewright::host {
 
 // Writes what is not saved yet into a file beside the scene's: "." + its name + ".autosave.glb", which is removed when
 // the scene is saved or closed. What is left there has outlived a crash. Written on a thread of its own: with a million
-// triangles it takes half a second, in which a drag would stand still.
+// triangles it takes half a second, in which a drag would stand still. Of a scene that another window has open, that
+// one's autosave is left alone: nothing is written here, until it is closed or this one is saved elsewhere.
 class Autosave : public QObject {
  public:
   Autosave(Editor& editor, QObject* parent);
@@ -26,17 +28,20 @@ class Autosave : public QObject {
   // Milliseconds after the first change that is not written yet; 0: never. Further changes do not put it off.
   void set_delay(int milliseconds);
   static std::filesystem::path file_for(const std::filesystem::path& scene);
-  // Of an autosave that is newer than its scene, or whose scene is not there.
+  // An autosave that is newer than its scene, or whose scene is not there, and that no window still writes.
   static std::optional<std::filesystem::path> recoverable(const std::filesystem::path& scene);
   // No autosave of the open scene any more, where this program has written or recovered one. Waits for what is being
   // written.
   void discard();
+  // Whether another window has the open scene, too.
+  bool is_open_elsewhere() const { return lock_.is_elsewhere(); }
   // The open scene is what was left of it: that stays until it is saved.
   void keep_recovered() { is_ours_ = true; }
   void on_failure(std::function<void(const std::string&)> tell) { tell_failure_ = std::move(tell); }
 
  private:
   void update(WorkspaceChange change);
+  bool may_write();
   void write();
   void finish_writing();  // waits for it, and tells where it failed
 
@@ -44,6 +49,7 @@ class Autosave : public QObject {
   QTimer timer_;
   int delay_ = 3000;             // so that with the writing no more than 5 seconds are lost
   std::filesystem::path scene_;  // that is open
+  SceneLock lock_;               // of scene_
   bool is_ours_ = false;         // its autosave was written or recovered here
   std::function<void(const std::string&)> tell_failure_;
 

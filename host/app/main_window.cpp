@@ -189,7 +189,9 @@ void MainWindow::update(WorkspaceChange change) {
 void MainWindow::show_title() {
   const Workspace& workspace = editor_->workspace();
   if (!workspace.has_scene()) return setWindowTitle("Cagewright");
-  setWindowTitle(QString("%1[*] - Cagewright").arg(QString::fromStdString(workspace.path().filename().string())));
+  setWindowTitle(QString("%1%2[*] - Cagewright")
+                     .arg(QString::fromStdString(workspace.path().filename().string()),
+                          autosave_->is_open_elsewhere() ? " (open in another window, too)" : ""));
   setWindowModified(!workspace.is_saved());
 }
 

@@ -61,6 +61,10 @@ void MainWindow::open(const fs::path& path) {
   std::error_code ignored;
   if (left && !recovers) fs::remove(*left, ignored);
   std::string notes;
+  if (autosave_->is_open_elsewhere())
+    notes = saved_as.filename().string() +
+            " is open in another window, too: who saves last wins, and only there changes survive a crash. Save As "
+            "gives it a name of its own";
   for (const std::string& note : editor_->workspace().notes()) notes += (notes.empty() ? "" : "; ") + note;
   if (!notes.empty()) say_failure(notes);
 }

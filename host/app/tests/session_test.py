@@ -104,10 +104,7 @@ class Files(WindowTest):
         window.settle()
         window.run('remove_slides', slides=['brow'])
         saved = path('.crashed.glb.autosave.glb')
-        end = time.monotonic() + 20
-        while not os.path.exists(saved) and time.monotonic() < end:
-            time.sleep(0.1)
-        time.sleep(0.5)
+        self.wait_for_file(saved)
         window.crash()
         again = self.open('crashed.glb', home=home)
         again.focus_dialog('Recover')
@@ -119,6 +116,66 @@ class Files(WindowTest):
         again.key('ctrl+s')
         again.wait_until(lambda s: s['saved'], 'the recovered scene is saved')
         self.assertFalse(os.path.exists(saved))
+
+    def test_what_a_window_still_has_open_is_not_offered_to_another_as_if_it_had_crashed(self):
+        shutil.copy(path('biped.glb'), path('shared.glb'))
+        saved = path('.shared.glb.autosave.glb')
+
+        def slides(window):
+            return [slide['name'] for slide in window.settle()['slides']]
+
+        quick = {'CAGEWRIGHT_AUTOSAVE_MS': '300'}
+        first = self.open('shared.glb', environment=quick)
+        first.settle()
+        first.run('remove_slides', slides=['brow'])
+        self.wait_for_file(saved)
+        with open(saved, 'rb') as file:
+            left = file.read()
+        second = self.open('shared.glb', environment=quick)
+        self.assertIn('brow', slides(second))  # as it was saved, without a question
+        state = second.state()
+        self.assertIn('open in another window', state['title'])
+        self.assertIn('shared.glb is open in another window', state['status'])
+        self.assertNotIn('another', first.state()['title'])
+        # The second one does not touch what the first one has written.
+        second.run('remove_slides', slides=['waist'])
+        time.sleep(1)
+        with open(saved, 'rb') as file:
+            self.assertEqual(file.read(), left)
+        # A name of its own is nobody else's.
+        second.run('save', path=path('own.glb'))
+        self.assertNotIn('another', second.state()['title'])
+        second.run('remove_slides', slides=['neck'])
+        self.wait_for_file(path('.own.glb.autosave.glb'))
+        second.close()
+        # What has crashed is offered, also though its lock is still there.
+        self.assertTrue(os.path.exists(path('.shared.glb.lock')))
+        first.crash()
+        again = self.open('shared.glb')
+        again.focus_dialog('Recover')
+        again.click_widget('Yes')
+        self.assertNotIn('brow', slides(again))
+        self.assertNotIn('another', again.state()['title'])
+
+    def test_the_autosave_is_the_second_windows_when_the_first_is_closed(self):
+        shutil.copy(path('biped.glb'), path('passed.glb'))
+        first = self.open('passed.glb')
+        first.settle()
+        second = self.open('passed.glb', environment={'CAGEWRIGHT_AUTOSAVE_MS': '300'})
+        second.settle()
+        second.run('remove_slides', slides=['brow'])
+        time.sleep(1)
+        self.assertFalse(os.path.exists(path('.passed.glb.autosave.glb')))
+        first.key('ctrl+q')
+        self.assertEqual(first.process.wait(20), 0)
+        self.wait_for_file(path('.passed.glb.autosave.glb'))
+
+    def wait_for_file(self, name):
+        end = time.monotonic() + 20
+        while not os.path.exists(name):
+            self.assertLess(time.monotonic(), end, name)
+            time.sleep(0.1)
+        time.sleep(0.5)
 
     def test_killed_at_any_time_it_has_lost_no_more_than_the_last_five_seconds(self):
         seed = int.from_bytes(os.urandom(4), 'little')
