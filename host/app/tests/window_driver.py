@@ -168,7 +168,8 @@ class Window:
 
     def focus(self, _name):
         """Keys go to the window on top: there is no window manager that would see to it."""
-        self.xdotool('search', '--sync', '--onlyvisible', '--name', 'Cagewright|cagewright', 'windowfocus')
+        self.xdotool('search', '--sync', '--onlyvisible', '--all', '--pid', self.process.pid, '--name',
+                     'Cagewright|cagewright', 'windowfocus')
 
     def focus_dialog(self, title):
         self.xdotool('search', '--sync', '--onlyvisible', '--name', title, 'windowfocus')
