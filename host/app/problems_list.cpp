@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/problems_list.h"
 
+#include <QStyle>
+
 namespace cagewright::host {
 
 ProblemsList::ProblemsList(Editor& editor, QWidget* parent) : QListWidget(parent), editor_(editor) {
@@ -20,6 +22,8 @@ void ProblemsList::fill() {
   clear();
   for (const Problem& problem : problems) {
     auto* item = new QListWidgetItem(QString::fromStdString(problem.sentence), this);
+    item->setIcon(
+        style()->standardIcon(problem.is_advice ? QStyle::SP_MessageBoxInformation : QStyle::SP_MessageBoxWarning));
     item->setToolTip("Click to see the place: " + item->text());
   }
   if (count_) count_(static_cast<int>(problems.size()));
