@@ -5,6 +5,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/mesh/types.h"
 
@@ -50,10 +52,14 @@ class Error : public std::runtime_error {
       : std::runtime_error(sentence), code_(code), place_(std::move(place)) {}
   ErrorCode code() const { return code_; }
   const ErrorPlace& place() const { return place_; }
+  // What else would have failed in the same call, each without others.
+  const std::vector<Error>& others() const { return others_; }
+  void add_other(Error other) { others_.push_back(std::move(other)); }
 
  private:
   ErrorCode code_;
   ErrorPlace place_;
+  std::vector<Error> others_;
 };
 
 // "(1.2, 0.4, 3)": a point as sentences show it, 6 significant digits; what is 0 but for rounding, beside the largest

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "core/error/error.h"
@@ -140,15 +141,22 @@ LoopWalls cut_along_slides(const Model& model, CutMesh& cut, const std::vector<S
                            const std::vector<std::string>& names, Segmentation& result, std::vector<bool>& hollow,
                            const Progress& progress) {
   LoopWalls walls;
+  std::optional<Error> failed;
   for (std::size_t k = 0; k < slides.size(); ++k) {
     if (progress && !progress(static_cast<double>(k) / static_cast<double>(slides.size())))
       throw Error(ErrorCode::cancelled, "cancelled while the model was cut");
-    SlideOnModel placed = place_slide(cut.mesh(), cut.edge_blocks(), with_plane(model.mesh, slides[k], k), k);
-    walls.push_back(cut.cut(placed.loop, static_cast<int>(k), names));
-    result.ellipses.push_back(placed.ellipse);
-    hollow.push_back(placed.hollow);
-    result.loops.push_back(std::move(placed.loop.points));
+    try {
+      SlideOnModel placed = place_slide(cut.mesh(), cut.edge_blocks(), with_plane(model.mesh, slides[k], k), k);
+      walls.push_back(cut.cut(placed.loop, static_cast<int>(k), names));
+      result.ellipses.push_back(placed.ellipse);
+      hollow.push_back(placed.hollow);
+      result.loops.push_back(std::move(placed.loop.points));
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::internal) throw;
+      failed ? failed->add_other(error) : static_cast<void>(failed = error);
+    }
   }
+  if (failed) throw *failed;
   return walls;
 }
 

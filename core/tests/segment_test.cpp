@@ -195,6 +195,22 @@ TEST(Segment, RefusesSlidesThatTouchAndNamesBothAndThePlace) {
   expect_error([&] { segment(model, same); }, ErrorCode::slides_touch, {"'one'", "'again'"});
 }
 
+TEST(Segment, LooksAtEverySlideThoughOneFails) {
+  const Model model = prepare_model(shapes::limb(0).mesh);
+  const std::vector<Slide> slides = {across("away", {-70, 0, 0}, {1, 0, 0}), across("upright", {0, 0, 0}, {1, 0, 0}),
+                                     across("apart", {-0.8, 0.05, 0}, {1, 0, 0}),
+                                     across("tilted", {0, 0, 0}, {1, 0, 0.5}), across("far", {90, 0, 0}, {1, 0, 0})};
+  const auto cut = [&] { segment(model, slides); };
+  const Error error = expect_error(cut, ErrorCode::slide_misses_model, {"'away'"});
+  EXPECT_EQ(error.place().slide, 0u);
+  ASSERT_EQ(error.others().size(), 2u);
+  EXPECT_EQ(error.others()[0].code(), ErrorCode::slides_touch);
+  EXPECT_EQ(error.others()[0].place().slide, 1u);
+  EXPECT_EQ(error.others()[0].place().other_slide, 3u);
+  EXPECT_EQ(error.others()[1].code(), ErrorCode::slide_misses_model);
+  EXPECT_EQ(error.others()[1].place().slide, 4u);
+}
+
 TEST(Segment, RefusesARingThatIsCutOnce) {
   const SlidBody body = shapes::ring(1);
   const Error error = expect_error([&] { segment(prepare_model(body.mesh), body.slides); },

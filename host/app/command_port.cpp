@@ -166,7 +166,9 @@ json CommandPort::state() const {
     slides.push_back(
         {{"name", slide->name}, {"center", slide->ellipse.center}, {"u", slide->ellipse.u}, {"v", slide->ellipse.v}});
   for (const Problem& problem : cage.problems)
-    problems.push_back({{"sentence", problem.sentence}, {"slides", names(workspace, problem.slides)}});
+    problems.push_back({{"sentence", problem.sentence},
+                        {"slides", names(workspace, problem.slides)},
+                        {"is_advice", problem.is_advice}});
   all["slides"] = slides;
   all["problems"] = problems;
   all["undo"] = workspace.stack().undo_label();

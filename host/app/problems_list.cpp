@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/problems_list.h"
 
+#include <QStyle>
 #include <algorithm>
 
 namespace cagewright::host {
@@ -29,6 +30,8 @@ void ProblemsList::fill() {
   clear();
   for (const Problem& problem : problems) {
     auto* item = new QListWidgetItem(QString::fromStdString(problem.sentence), this);
+    item->setIcon(
+        style()->standardIcon(problem.is_advice ? QStyle::SP_MessageBoxInformation : QStyle::SP_MessageBoxWarning));
     item->setToolTip("Click to see the place: " + item->text());
     if (marked_ && is_same(problem, *marked_)) setCurrentItem(item);
   }

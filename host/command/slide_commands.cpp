@@ -48,6 +48,15 @@ void check_stroke(const std::string& name, const std::vector<Point3>& stroke) {
   }
 }
 
+// The last digits that a file will have: or the cage of a scene that is opened again is another one.
+void round_as_stored(SceneSlide& slide) {
+  slide.numbers.reset();
+  const auto stored = as_stored(slide.ellipse);
+  if (!stored) return;
+  slide.numbers = stored->numbers;
+  slide.ellipse = stored->ellipse;
+}
+
 }  // namespace
 
 AddSlide::AddSlide(int mesh_node, std::string name, const Slide::Ellipse& ellipse, std::vector<Point3> stroke) {
@@ -66,6 +75,7 @@ void AddSlide::doIt(SceneDocument& document) {
   check_name(document, slide_.mesh_node, slide_.name, 0);
   check_ellipse(slide_.name, slide_.ellipse);
   check_stroke(slide_.name, slide_.stroke);
+  round_as_stored(slide_);
   slide_.id = document.new_slide_id();
   redoIt(document);
 }
@@ -86,6 +96,7 @@ void ChangeSlide::redoIt(SceneDocument& document) {
   SceneSlide after = before_;
   after.ellipse = ellipse_;
   after.stroke = stroke_;
+  round_as_stored(after);
   document.replace_slide(std::move(after));
 }
 

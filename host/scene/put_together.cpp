@@ -12,10 +12,6 @@
 namespace cagewright::host {
 namespace {
 
-bool same_ellipse(const Slide::Ellipse& a, const Slide::Ellipse& b) {
-  return a.center == b.center && a.u == b.u && a.v == b.v;
-}
-
 void write_transform(const TranslationRotationScale& p, GltfJson& node) {
   for (const char* key : {"translation", "rotation", "scale", "matrix"}) node.erase(key);
   node["translation"] = {p[0], p[1], p[2]};
@@ -65,7 +61,7 @@ class PuttingTogether {
     const SlideAsRead* read = slide.as_read.get();
     if (read == nullptr || read->home < 0) return;
     holes_.erase(read->home);
-    if (!same_ellipse(slide.ellipse, read->ellipse)) moved_.insert(read->home);
+    if (slide.ellipse != read->ellipse) moved_.insert(read->home);
   }
 
   // Whether a slide above has another transform by now; what a tool has put below it does not move with it.
@@ -164,16 +160,18 @@ class PuttingTogether {
     const Eigen::Affine3d transform = slide_transform(slide.ellipse);
     const bool carried = is_carried(read);
     const bool is_unchanged =
-        read && same_ellipse(slide.ellipse, read->ellipse) && (slide.stroke.empty() || read->fitted) && !carried;
-    const auto fitted = is_unchanged ? read->fitted : decompose(transform);
+        read && slide.ellipse == read->ellipse && (slide.stroke.empty() || read->fitted) && !carried;
+    const auto in_mesh_space = slide.numbers ? slide.numbers : decompose(transform);
+    const auto fitted = is_unchanged ? read->fitted : in_mesh_space;
     bool keeps_parent = read && (read->parent >= 0 || read->is_pinned) && !carried;
     std::optional<TranslationRotationScale> local;
     if (keeps_parent && !is_unchanged) {
-      local = under_parent(*read, transform);
+      const bool is_of_mesh = read->parent_to_mesh.matrix() == Eigen::Affine3d::Identity().matrix();
+      local = is_of_mesh ? in_mesh_space : under_parent(*read, transform);
       keeps_parent = local.has_value();
     }
     if (!keeps_parent) {
-      local = decompose(transform);
+      local = in_mesh_space;
       if (read && read->is_pinned) read = nullptr;  // its old node stays with what others have put there
     }
     GltfJson value = read ? node_of(*read) : GltfJson::object();

@@ -2,8 +2,10 @@
 #ifndef CAGEWRIGHT_HOST_SCENE_SCENE_CONTENT_H
 #define CAGEWRIGHT_HOST_SCENE_SCENE_CONTENT_H
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,8 @@ struct SceneSlide {
   int mesh_node = -1;          // the node whose mesh it cuts
   Slide::Ellipse ellipse;      // in that node's local space
   std::vector<Point3> stroke;  // that the ellipse was fitted to; empty where it was not, or no longer is
-  std::shared_ptr<const SlideAsRead> as_read;  // the node that the file has, so that nothing else in it is lost
+  std::shared_ptr<const SlideAsRead> as_read;     // the node that the file has, so that nothing else in it is lost
+  std::optional<std::array<double, 10>> numbers;  // glTF's, of StoredEllipse: `ellipse` is what they give
 };
 
 struct SceneCage {

@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace cagewright::host {
 namespace {
@@ -16,6 +17,21 @@ Eigen::Affine3d from_columns(const Eigen::Vector3d& x, const Eigen::Vector3d& y,
   transform.linear() << x, y, z;
   transform.translation() = center;
   return transform;
+}
+
+// Coarser than what is lost by turning and measuring, so that rounding again changes nothing, or only once more:
+// numbers of a rotation are read as if they were of length 1.
+std::optional<StoredEllipse> rounded(const Slide::Ellipse& ellipse) {
+  constexpr int bits = 46;
+  auto numbers = decompose(slide_transform(ellipse));
+  if (!numbers) return {};
+  for (std::size_t i = 3; i < 7; ++i) (*numbers)[i] = std::ldexp(std::round(std::ldexp((*numbers)[i], bits)), -bits);
+  for (std::size_t i = 7; i < 10; ++i) {
+    int exponent = 0;
+    const double mantissa = std::frexp((*numbers)[i], &exponent);
+    (*numbers)[i] = std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
+  }
+  return StoredEllipse{*numbers, transformed_circle(compose(*numbers))};
 }
 
 }  // namespace
@@ -55,6 +71,25 @@ std::optional<TranslationRotationScale> decompose(const Eigen::Affine3d& transfo
   const Eigen::Vector3d center = transform.translation();
   return TranslationRotationScale{center.x(),   center.y(),   center.z(), rotation.x(), rotation.y(),
                                   rotation.z(), rotation.w(), lengths(0), lengths(1),   mirrored * lengths(2)};
+}
+
+Eigen::Affine3d compose(const TranslationRotationScale& numbers) {
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  transform.translate(Eigen::Vector3d(numbers[0], numbers[1], numbers[2]));
+  transform.rotate(Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5]).normalized());
+  transform.scale(Eigen::Vector3d(numbers[7], numbers[8], numbers[9]));
+  return transform;
+}
+
+std::optional<StoredEllipse> as_stored(const Slide::Ellipse& ellipse) {
+  constexpr int enough = 8;  // times; twice has been all
+  std::optional<StoredEllipse> stored = rounded(ellipse);
+  for (int i = 0; stored && i < enough; ++i) {
+    const std::optional<StoredEllipse> again = rounded(stored->ellipse);
+    if (!again || again->ellipse == stored->ellipse) break;
+    stored = again;
+  }
+  return stored;
 }
 
 }  // namespace cagewright::host

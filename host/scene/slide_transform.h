@@ -25,6 +25,20 @@ using TranslationRotationScale = std::array<double, 10>;
 // along Z.
 std::optional<TranslationRotationScale> decompose(const Eigen::Affine3d& transform);
 
+// What reading these numbers from a node gives, to the bit.
+Eigen::Affine3d compose(const TranslationRotationScale& numbers);
+
+// A slide's numbers as a node under its mesh node has them, and the ellipse that reading them gives: 1e-14 of its size
+// from the one asked for. A scene that is saved and read has the slides, and so the cage, that it had before.
+struct StoredEllipse {
+  TranslationRotationScale numbers{};
+  Slide::Ellipse ellipse;
+};
+
+// What was stored once is stored as the same, to the bit. Empty where glTF's numbers cannot say it (radii of 0, or
+// beyond all bounds).
+std::optional<StoredEllipse> as_stored(const Slide::Ellipse& ellipse);
+
 }  // namespace cagewright::host
 
 #endif

@@ -23,10 +23,7 @@ namespace {
 // floats.
 bool agrees(const Eigen::Affine3d& transform, const TranslationRotationScale& fitted) {
   constexpr double rounding = 1e-6;
-  Eigen::Affine3d then = Eigen::Affine3d::Identity();
-  then.translate(Eigen::Vector3d(fitted[0], fitted[1], fitted[2]));
-  then.rotate(Eigen::Quaterniond(fitted[6], fitted[3], fitted[4], fitted[5]).normalized());
-  then.scale(Eigen::Vector3d(fitted[7], fitted[8], fitted[9]));
+  const Eigen::Affine3d then = compose(fitted);
   const double size = then.linear().norm(), place = std::numeric_limits<float>::epsilon() * then.translation().norm();
   return (transform.linear() - then.linear()).norm() <= rounding * size &&
          (transform.translation() - then.translation()).norm() <= rounding * size + place;

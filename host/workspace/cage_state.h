@@ -19,11 +19,12 @@
 
 namespace cagewright::host {
 
-// A sentence about what is wrong, and where.
+// A sentence about what is wrong, or could be better, and where.
 struct Problem {
   std::string sentence;
   std::vector<std::int64_t> slides;  // at fault; may be empty
   std::optional<Point3> place;       // in the mesh node's space
+  bool is_advice = false;            // the cage is certified all the same
 };
 
 // What the last solve of a mesh node came to.

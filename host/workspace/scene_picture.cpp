@@ -9,8 +9,9 @@ namespace cagewright::host {
 namespace {
 
 bool is_at_fault(const CageState& cage, std::int64_t id) {
-  return std::ranges::any_of(cage.problems,
-                             [&](const Problem& it) { return std::ranges::find(it.slides, id) != it.slides.end(); });
+  return std::ranges::any_of(cage.problems, [&](const Problem& it) {
+    return !it.is_advice && std::ranges::find(it.slides, id) != it.slides.end();
+  });
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ ScriptJson wait(ScriptContext& context, const ScriptArguments&) {
     }
     problems.push_back({{"sentence", problem.sentence}, {"slides", std::move(slides)}});
     if (problem.place) problems.back()["place"] = *problem.place;
+    if (problem.is_advice) problems.back()["is_advice"] = true;
   }
   return {{"cage_triangles", cage.cage.triangle_count()}, {"is_of_now", cage.is_of_now}, {"problems", problems}};
 }

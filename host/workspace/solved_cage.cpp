@@ -88,7 +88,9 @@ std::vector<Problem> problems_of(const PluginError& error, const Session* sessio
     if (slide.message == first.sentence) {
       blame_slide(id->second);
     } else if (std::ranges::find(first.slides, id->second) == first.slides.end()) {
-      problems.push_back({slide.message, {id->second}, {}});
+      const auto same = std::ranges::find(problems, slide.message, &Problem::sentence);
+      same == problems.end() ? problems.push_back({slide.message, {id->second}, {}})
+                             : same->slides.push_back(id->second);
     }
   }
   problems.insert(problems.begin(), std::move(first));
@@ -99,8 +101,9 @@ std::vector<Problem> problems_of(const PluginError& error, const Session* sessio
 std::vector<Problem> problems_of(const CageState& state, const SolveRequest& request) {
   const bool was_asked_for = state.summary.last_stage >= CGW_STAGE_ENCLOSE;
   if (!state.certificate || !was_asked_for) return {};
-  if (state.certificate->encloses && state.certificate->keeps_distance) return {};
   Problem problem{state.certificate->message, {}, {}};
+  problem.is_advice = state.certificate->encloses && state.certificate->keeps_distance;
+  if (problem.is_advice && problem.sentence.empty()) return {};
   if (problem.sentence.empty()) problem.sentence = "the cage does not enclose the model: add slides or move them";
   for (const auto& [id, slide] : request.slides) {
     if (names(problem.sentence, slide.name)) problem.slides.push_back(id);

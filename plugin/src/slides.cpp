@@ -108,16 +108,18 @@ void SlideList::settle(const std::vector<Ellipse>& ellipses) noexcept {
   }
 }
 
-void SlideList::blame(const AbiError& error) noexcept {
+void SlideList::blame(std::span<const AbiError> errors) noexcept {
   for (const auto& entry : entries_) {
     if (entry->status < 0) {
       entry->status = CGW_SLIDE_UNSOLVED;
       entry->message.clear();
     }
-    if (entry->id != error.info().slide && entry->id != error.info().other_slide) continue;
-    entry->status = error.info().code;
+    const auto error = std::ranges::find_if(
+        errors, [&](const AbiError& it) { return entry->id == it.info().slide || entry->id == it.info().other_slide; });
+    if (error == errors.end()) continue;
+    entry->status = error->info().code;
     try {
-      entry->message = error.what();
+      entry->message = error->what();
     } catch (const std::bad_alloc&) {
       entry->message.clear();  // last_error has the sentence
     }

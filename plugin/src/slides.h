@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,8 @@ class SlideList {
 
   // A solve succeeded with these ellipses, one a slide: every slide is CGW_OK.
   void settle(const std::vector<Ellipse>& ellipses) noexcept;
-  // A solve failed: the slides that `error` names carry it, older blame goes.
-  void blame(const AbiError& error) noexcept;
+  // A solve failed: the slides that `errors` name carry them, the first where there are several; older blame goes.
+  void blame(std::span<const AbiError> errors) noexcept;
   // There is another model: nothing is known of it.
   void forget_model() noexcept;
 

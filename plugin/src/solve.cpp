@@ -71,9 +71,10 @@ void solve(cgw_session& session, const cgw_solve_options* given) {
     results->made = make_cage(model_of(session), session.slides.on_model(model_of(session).mesh), options,
                               progress_of(session.host));
   } catch (const Error& error) {
-    const AbiError translated = to_abi_error(error, results->slide_ids);
+    std::vector<AbiError> translated = {to_abi_error(error, results->slide_ids)};
+    for (const Error& other : error.others()) translated.push_back(to_abi_error(other, results->slide_ids));
     if (error.code() != ErrorCode::cancelled) session.slides.blame(translated);
-    throw translated;
+    throw translated.front();
   }
   if (asked.editing == CGW_EDITING_NONE)
     log_shortfalls(session.host, results->made);  // before the change: a host's log may throw

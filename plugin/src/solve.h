@@ -6,7 +6,8 @@
 namespace cagewright::plugin {
 
 // Makes the cage, or the stages up to options->last_stage (`options` may be NULL), and keeps it as the session's
-// results. Where it throws, the old results stay; the slides that the error names are blamed.
+// results. Where it throws, the old results stay; every slide that keeps the cage from being made
+// is blamed, the first of them by what is thrown.
 // Throws AbiError: NOT_READY (no model), INVALID_ARGUMENT, CANCELLED, those of the stages with slides as ids.
 void solve(cgw_session& session, const cgw_solve_options* options);
 

@@ -116,6 +116,22 @@ TEST(AbiSolve, BlamesBothSlidesOfAPairAndForgetsOldBlame) {
   EXPECT_EQ(info(session, 0).status, CGW_SLIDE_UNSOLVED) << "the last solve does not blame it";
 }
 
+TEST(AbiSolve, BlamesEverySlideThatFailsAndReturnsTheFirst) {
+  const Session session(capsule());
+  add(session, plane("good", 5));
+  const std::uint64_t past = add(session, plane("past", 100));
+  add(session, plane("a", 3.01));
+  add(session, plane("b", 3.02, 1, 0.4));
+  EXPECT_EQ(api().solve(session, nullptr), CGW_ERROR_SLIDE_MISSES_MODEL);
+  EXPECT_EQ(session.error_info().slide, past);
+  EXPECT_EQ(info(session, 0).status, CGW_SLIDE_UNSOLVED);
+  EXPECT_EQ(info(session, 1).status, CGW_ERROR_SLIDE_MISSES_MODEL);
+  EXPECT_EQ(info(session, 1).message, session.error());
+  EXPECT_EQ(info(session, 2).status, CGW_ERROR_SLIDES_TOUCH);
+  EXPECT_EQ(info(session, 3).status, CGW_ERROR_SLIDES_TOUCH);
+  EXPECT_NE(std::string(info(session, 3).message).find("'a'"), std::string::npos);
+}
+
 // Solving fails with that status, and a sentence and a status that name the slide.
 void expect_unsolvable(const Mesh& mesh, const std::vector<cgw_slide_input>& slides, cgw_status status) {
   const Session session(mesh);

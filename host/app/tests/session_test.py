@@ -330,6 +330,19 @@ class Working(WindowTest):
             time.sleep(0.2)
         window.shot('validated')
         self.assertIn('Ceres agrees', text)
+        # Again, and stopped; then closed.
+        window.focus_dialog('Validate')
+        window.click(seconds['x'] + 20, seconds['y'] + seconds['height'] / 2)
+        window.key('ctrl+a', '9', '9', 'Tab')
+        window.click_widget('validation_start')
+        time.sleep(1)
+        self.assertEqual(window.where(widget='validation_start')['text'].replace('&', ''), 'Stop')
+        window.click_widget('validation_start')
+        window.wait_until(lambda s: 'Start' in window.where(widget='validation_start')['text'].replace('&', ''),
+                          'it is stopped', 20)
+        self.assertNotIn('agrees', window.where(widget='validation_text')['text'])
+        window.click_widget('Close')
+        window.wait_until(lambda s: not window.ask(command='where', widget='validation_text')['ok'], 'it is closed')
 
     def test_says_one_sentence_where_there_is_no_display(self):
         environment = {key: value for key, value in os.environ.items() if key != 'DISPLAY'}

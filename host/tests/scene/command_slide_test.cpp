@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/command/slide_commands.h"
 
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "host/tests/scene/command_test_scene.h"
 
@@ -48,6 +50,31 @@ TEST_P(SlideCommands, AddAndTakeBack) {
   EXPECT_EQ(slide.mesh_node, node);
   EXPECT_EQ(slide.stroke, stroke);
   expect_near(slide.ellipse, some_ellipse(3));
+}
+
+// Or the cage that a window makes of an opened scene is another one than that which was saved.
+TEST_P(SlideCommands, SlidesAreAfterSavingWhatTheyWereToTheBit) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> any;
+  for (int k = 0; k < 200; ++k) {
+    Slide::Ellipse ellipse = some_ellipse(k);
+    for (Point3* vector : {&ellipse.center, &ellipse.u, &ellipse.v})
+      for (double& value : *vector) value = any(random) * std::pow(10, k % 7 - 3);
+    AddSlide add(node, "random " + std::to_string(k), ellipse);
+    add.doIt(document);
+    if (k % 3 != 0) continue;
+    ChangeSlide change(add.id(), ellipse);
+    change.doIt(document);
+    ChangeSlide as_it_is(add.id(), document.find_slide(add.id())->ellipse);
+    const Slide::Ellipse before = document.find_slide(add.id())->ellipse;
+    as_it_is.doIt(document);
+    EXPECT_EQ(document.find_slide(add.id())->ellipse, before) << "rounding again changes nothing";
+  }
+  ChangeSlide(1, some_ellipse(4)).doIt(document);
+  const SceneDocument again = saved(document);
+  ASSERT_EQ(again.slides().size(), document.slides().size());
+  for (const SceneSlide& slide : document.slides())
+    EXPECT_EQ(again.find_slide(slide.id)->ellipse, slide.ellipse) << slide.name;
 }
 
 TEST_P(SlideCommands, ChangeTheEllipseAndTakeItBack) {
@@ -151,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SlideCommands, testing::Values("slides_plain.gl
 
 TEST(SlideCommandsOfSeveralMeshes, KeepNamesApartUnderEachMeshOnly) {
   SceneDocument document = own_scene("slides_two_caged_meshes.gltf");
-  const SceneSlide &first = document.slides().at(0), &second = document.slides().at(1);
+  const SceneSlide first = document.slides().at(0), second = document.slides().at(1);
   ASSERT_NE(first.mesh_node, second.mesh_node);
   AddSlide same_name(second.mesh_node, first.name == second.name ? "other" : first.name, some_ellipse(1));
   expect_reversible(document, same_name);

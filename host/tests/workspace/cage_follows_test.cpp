@@ -8,6 +8,7 @@
 
 #include "host/tests/workspace/workspace_fixture.h"
 #include "host/workspace/cage_solver.h"
+#include "host/workspace/find_problem.h"
 #include "host/workspace/solved_cage.h"
 
 namespace cagewright::host::test {
@@ -175,6 +176,21 @@ TEST_F(CageFollowsTest, ASlideThatMissesTheModelIsAProblemOfThatSlideAlone) {
   EXPECT_EQ(workspace_.cage().problems[0].slides, std::vector{id("away")});
 }
 
+TEST_F(CageFollowsTest, EverySlideThatFailsIsAProblemAndAPairIsOne) {
+  open_with_slides({-0.5, 0});
+  Slide::Ellipse away = ellipse("slide 1");
+  away.center[1] = 7;
+  workspace_.add_slide({"away", away});
+  workspace_.add_slide({"across it", Slide::PointNormal{{0, 0, 0}, {0.4, 1, 0}}});
+  workspace_.wait_for_cage();
+  const CageState& cage = workspace_.cage();
+  ASSERT_EQ(cage.problems.size(), 2U);
+  EXPECT_EQ(cage.problems[0].slides, std::vector{id("away")});
+  EXPECT_EQ(cage.problems[1].slides, (std::vector{id("slide 2"), id("across it")}));
+  for (const char* name : {"slide 2", "across it", "away"}) EXPECT_NE(find_problem(cage, id(name)), nullptr) << name;
+  EXPECT_EQ(find_problem(cage, id("slide 1")), nullptr);
+}
+
 TEST_F(CageFollowsTest, ASlideThatThePluginDoesNotEvenTakeIsNamedToo) {
   CageSolver solver(plugin_, {});
   const auto mesh = std::make_shared<const TriangleMesh>(ellipsoid(24, 48));
@@ -212,6 +228,25 @@ TEST_F(CageFollowsTest, ACertificateThatFailsIsAProblemThatNamesItsSlidesAndAPla
   EXPECT_EQ(problems[0].place, (Point3{0, -2, 0}));
   state.summary.last_stage = CGW_STAGE_REFINE;
   EXPECT_TRUE(problems_of(state, request).empty()) << "nobody asked for one";
+}
+
+TEST_F(CageFollowsTest, WhatCouldBeBetterOfACertifiedCageIsAdviceAndNoFault) {
+  CageState state;
+  SolveRequest request;
+  request.slides = {{4, {"a", Slide::Ellipse{}}}, {5, {"b", Slide::Ellipse{}}}};
+  state.summary.last_stage = CGW_STAGE_ENCLOSE;
+  state.certificate = Certificate{};
+  state.certificate->encloses = state.certificate->keeps_distance = true;
+  EXPECT_TRUE(problems_of(state, request).empty());
+  state.certificate->message = "the sections of the slide 'b' could not stay in their planes: move it";
+  state.problems = problems_of(state, request);
+  ASSERT_EQ(state.problems.size(), 1U);
+  EXPECT_EQ(state.problems[0].sentence, state.certificate->message);
+  EXPECT_EQ(state.problems[0].slides, std::vector<std::int64_t>{5});
+  EXPECT_TRUE(state.problems[0].is_advice);
+  EXPECT_EQ(find_problem(state, 5), nullptr) << "it would be drawn as failing";
+  state.certificate->keeps_distance = false;
+  EXPECT_FALSE(problems_of(state, request)[0].is_advice);
 }
 
 TEST_F(CageFollowsTest, AModelThatThePluginRefusesIsAProblemAndOpens) {

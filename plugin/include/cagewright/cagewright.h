@@ -231,7 +231,8 @@ typedef struct cgw_slide_info {
   int32_t kind;
   uint64_t id;          /* stable, never given to another slide; after load_state the ids are those of the file */
   const char* name;     /* lives until the slide is changed or removed, or load_state */
-  cgw_status status;    /* CGW_OK, CGW_SLIDE_UNSOLVED, or the error of the last solve that blames this slide */
+  cgw_status status;    /* CGW_OK, CGW_SLIDE_UNSOLVED, or what the last solve found wrong with this slide: it looks at
+                           every slide, and returns the error of the first */
   uint32_t has_ellipse; /* 1 where the fields below are known */
   const char* message;  /* "" or the sentence; lives until the next call on the session */
   double center[3];
