@@ -166,6 +166,7 @@ class Files(WindowTest):
         second.run('remove_slides', slides=['brow'])
         time.sleep(1)
         self.assertFalse(os.path.exists(path('.passed.glb.autosave.glb')))
+        first.focus('main_window')
         first.key('ctrl+q')
         self.assertEqual(first.process.wait(20), 0)
         self.wait_for_file(path('.passed.glb.autosave.glb'))

@@ -80,7 +80,8 @@ class FirstCageTest:
     def see_certified(self, slides):
         self.assertEqual(len(self.state['slides']), slides)
         self.assertTrue(self.state['cage']['certified'], self.state)
-        self.assertEqual(self.state['problems'], [])
+        # Advice there may be: of few slides a cage is large.
+        self.assertEqual([problem for problem in self.state['problems'] if not problem['is_advice']], [])
         self.assertIn('Certified', self.window.where(widget='verdict')['text'])
         self.assertGreater(self.count(is_cage), 800)
 
