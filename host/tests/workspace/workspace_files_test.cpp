@@ -82,6 +82,8 @@ TEST_F(WorkspaceFilesTest, AnOpenedScenesCageIsMadeAgainToTheBit) {
   opened.solve();
   opened.wait_for_cage();
   ASSERT_TRUE(opened.cage().is_of_now);
+  for (const SceneSlide* slide : workspace_.slides())
+    EXPECT_EQ(opened.find_slide(slide->name)->ellipse, slide->ellipse);
   EXPECT_EQ(opened.cage().cage.points, workspace_.cage().cage.points);
   EXPECT_EQ(opened.cage().cage.triangles, workspace_.cage().cage.triangles);
 }
