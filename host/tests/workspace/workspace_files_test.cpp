@@ -72,6 +72,22 @@ TEST_F(WorkspaceFilesTest, AModelBecomesANewSceneBesideIt) {
   }
 }
 
+TEST_F(WorkspaceFilesTest, AnOpenedScenesCageIsMadeAgainToTheBit) {
+  open_with_slides({-0.91, 0.27, 1.13});
+  workspace_.add_slide({"turned", Slide::PointNormal{{0.3, -0.3, 0}, {0.1, 1, 0.2}}});
+  workspace_.wait_for_cage();
+  workspace_.save(folder_ / "saved.glb");
+  Workspace opened(plugin_, {});
+  opened.open(folder_ / "saved.glb");
+  opened.solve();
+  opened.wait_for_cage();
+  ASSERT_TRUE(opened.cage().is_of_now);
+  for (const SceneSlide* slide : workspace_.slides())
+    EXPECT_EQ(opened.find_slide(slide->name)->ellipse, slide->ellipse);
+  EXPECT_EQ(opened.cage().cage.points, workspace_.cage().cage.points);
+  EXPECT_EQ(opened.cage().cage.triangles, workspace_.cage().cage.triangles);
+}
+
 TEST_F(WorkspaceFilesTest, WhereOpeningFailsEverythingStays) {
   open_with_slides({0.3});
   workspace_.wait_for_cage();
