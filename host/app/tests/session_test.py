@@ -18,7 +18,9 @@ from window_driver import Window, is_red
 
 class Scenes(WindowTest):
     def open_scene(self, name):
-        window = Window(window_case.server, PROGRAM, os.path.join(SCENES, name))
+        copies = path('scenes')  # a window leaves locks and autosaves beside its scene
+        shutil.copytree(SCENES, copies, dirs_exist_ok=True)
+        window = Window(window_case.server, PROGRAM, os.path.join(copies, name))
         self.addCleanup(window.close)
         window.settle()
         return window
