@@ -152,7 +152,7 @@ LoopWalls cut_along_slides(const Model& model, CutMesh& cut, const std::vector<S
       hollow.push_back(placed.hollow);
       result.loops.push_back(std::move(placed.loop.points));
     } catch (const Error& error) {
-      if (error.code() == ErrorCode::internal) throw;
+      if (error.code() == ErrorCode::internal && !failed) throw;
       failed ? failed->add_other(error) : static_cast<void>(failed = error);
     }
   }

@@ -37,9 +37,9 @@ using Progress = std::function<bool(double)>;
 
 // Cuts the model along the loops of the slides (paper 3.1, but triangles are split along the plane, not dropped, and
 // only the loop that encloses the slide's centre is cut). Without slides the whole model is one part.
-// Throws Error: those of place_slide; slides_touch (both slides and the place), part_sees_slide_twice; cancelled. A
-// slide that fails keeps none of the others from being looked at: theirs are the error's others(). Thread-safe.
-// O(slides * n).
+// Throws Error: those of place_slide; slides_touch (both slides and the place), part_sees_slide_twice; cancelled.
+// Where slides fail the others are looked at all the same, without those that failed: what is wrong with them is the
+// error's others(). Thread-safe. O(slides * n).
 Segmentation segment(const Model& model, const std::vector<Slide>& slides, const Progress& progress = {});
 
 }  // namespace cagewright

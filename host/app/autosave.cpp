@@ -34,15 +34,25 @@ fs::path Autosave::file_for(const fs::path& scene) {
   return scene.parent_path() / name;
 }
 
-std::optional<fs::path> Autosave::recoverable(const fs::path& scene) {
+std::optional<fs::path> Autosave::claim(const fs::path& scene) {
+  if (scene == lock_.scene()) return {};
+  claimed_.take(scene);
+  if (claimed_.is_elsewhere()) return {};
   const fs::path file = file_for(scene);
   std::error_code none;
   const auto written = fs::last_write_time(file, none);
   if (none) return {};
   const auto saved = fs::last_write_time(scene, none);
   if (!none && saved > written) return {};
-  if (SceneLock::is_held(scene)) return {};
   return file;
+}
+
+void Autosave::take_lock() {
+  if (claimed_.scene() == scene_ && !scene_.empty())
+    lock_ = std::move(claimed_);
+  else
+    lock_.take(scene_);
+  claimed_ = {};
 }
 
 void Autosave::update(WorkspaceChange change) {
@@ -50,12 +60,12 @@ void Autosave::update(WorkspaceChange change) {
   if (change == WorkspaceChange::scene) {
     discard();  // of the scene before: who was to be asked was asked
     scene_ = workspace.has_scene() ? workspace.path() : fs::path();
-    lock_.take(scene_);
+    take_lock();
     return;
   }
   if (change == WorkspaceChange::saved && workspace.has_scene() && workspace.is_saved()) {
     discard();
-    if (std::exchange(scene_, workspace.path()) != workspace.path()) lock_.take(scene_);
+    if (std::exchange(scene_, workspace.path()) != workspace.path()) take_lock();
     return;
   }
   const bool is_change = change == WorkspaceChange::slides || change == WorkspaceChange::parameters;
@@ -63,11 +73,27 @@ void Autosave::update(WorkspaceChange change) {
     timer_.start(delay_);
 }
 
-// What another window has left when it ended by itself is not to be written over.
 bool Autosave::may_write() {
-  std::error_code none;
-  if (lock_.is_elsewhere() && !fs::exists(file_for(scene_), none)) lock_.take_again();
-  return !lock_.is_elsewhere();
+  if (!lock_.is_elsewhere()) return true;
+  lock_.take_again();
+  if (lock_.is_elsewhere()) return false;
+  put_aside_what_is_left();
+  if (lock_taken_) lock_taken_();
+  return true;
+}
+
+// Of another window that had the scene open and has ended without saving or throwing away.
+void Autosave::put_aside_what_is_left() {
+  const fs::path left = file_for(scene_);
+  std::error_code error;
+  if (!fs::exists(left, error)) return;
+  fs::path kept;
+  for (int number = 1; kept.empty() || fs::exists(kept, error); ++number)
+    kept = scene_.parent_path() / (scene_.stem().string() + "_recovered_" + std::to_string(number) + ".glb");
+  fs::rename(left, kept, error);
+  if (error || !tell_failure_) return;
+  tell_failure_("another window ended before it had saved " + scene_.filename().string() + ": what it had is in " +
+                kept.filename().string() + " now");
 }
 
 void Autosave::write() {

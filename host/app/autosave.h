@@ -28,20 +28,26 @@ class Autosave : public QObject {
   // Milliseconds after the first change that is not written yet; 0: never. Further changes do not put it off.
   void set_delay(int milliseconds);
   static std::filesystem::path file_for(const std::filesystem::path& scene);
-  // An autosave that is newer than its scene, or whose scene is not there, and that no window still writes.
-  static std::optional<std::filesystem::path> recoverable(const std::filesystem::path& scene);
+  // Before a scene is opened: takes its lock, so that no other window asks the same, and returns an autosave that is
+  // newer than the scene, or whose scene is not there. Empty where there is none, or the scene is open already.
+  std::optional<std::filesystem::path> claim(const std::filesystem::path& scene);
+  void give_up_claim() { claimed_ = {}; }  // it is not opened
   // No autosave of the open scene any more, where this program has written or recovered one. Waits for what is being
   // written.
   void discard();
   // Whether another window has the open scene, too.
   bool is_open_elsewhere() const { return lock_.is_elsewhere(); }
+  std::string open_elsewhere_by() const { return lock_.holder(); }
+  void on_lock(std::function<void()> taken) { lock_taken_ = std::move(taken); }  // that another window had
   // The open scene is what was left of it: that stays until it is saved.
   void keep_recovered() { is_ours_ = true; }
   void on_failure(std::function<void(const std::string&)> tell) { tell_failure_ = std::move(tell); }
 
  private:
   void update(WorkspaceChange change);
+  void take_lock();  // of scene_
   bool may_write();
+  void put_aside_what_is_left();
   void write();
   void finish_writing();  // waits for it, and tells where it failed
 
@@ -49,9 +55,10 @@ class Autosave : public QObject {
   QTimer timer_;
   int delay_ = 3000;             // so that with the writing no more than 5 seconds are lost
   std::filesystem::path scene_;  // that is open
-  SceneLock lock_;               // of scene_
+  SceneLock lock_, claimed_;     // of scene_; of what is to be opened
   bool is_ours_ = false;         // its autosave was written or recovered here
   std::function<void(const std::string&)> tell_failure_;
+  std::function<void()> lock_taken_;
 
   std::thread writer_;
   std::string failure_;  // of the writer; read once it has been joined

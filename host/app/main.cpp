@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QSettings>
+#include <QStatusBar>
 #include <QSurfaceFormat>
 #include <clocale>
 #include <exception>
@@ -92,7 +93,11 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   window.show();
   std::optional<CommandPort> port;
   if (arguments.takes_commands) port.emplace(window);
-  if (arguments.scene) window.open(*arguments.scene);
+  if (arguments.scene) {
+    window.open(*arguments.scene);
+    // The window stays, so that another can be chosen.
+    if (!window.editor().workspace().has_scene()) say(0, window.statusBar()->currentMessage().toStdString());
+  }
   const int code = QApplication::exec();
   application.on_failure({});
   return code;

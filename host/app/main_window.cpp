@@ -6,11 +6,13 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
@@ -64,7 +66,7 @@ QWidget* scrolled(QWidget* content) {
 MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) {
   setObjectName("main_window");
   setAcceptDrops(true);
-  resize(1400, 900);
+  resize(QSize(1400, 900).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   // The solver's thread wakes the window's by an event.
   editor_ = std::make_unique<Editor>(
       std::move(plugin),
@@ -73,7 +75,10 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
             this, [this] { editor_->workspace().poll(); }, Qt::QueuedConnection);
       },
       [this](const nlohmann::json& command) { view_->run(command); });
-  editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  editor_->on_failure([this](const std::string& sentence) {
+    say_failure(sentence);
+    shows_attempts_failure_ = true;
+  });
   editor_->on_done([this](const nlohmann::json& command) { finish_command(command); });
   recorder_ = std::make_unique<ScriptRecorder>(*editor_);
   autosave_ = new Autosave(*editor_, this);
@@ -81,6 +86,7 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
   if (const int delay = qEnvironmentVariableIntValue("CAGEWRIGHT_AUTOSAVE_MS", &is_given); is_given)
     autosave_->set_delay(delay);
   autosave_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  autosave_->on_lock([this] { show_title(); });
   view_ = new ViewWidget(*editor_, graphics, this);
   setCentralWidget(view_);
   make_docks();
@@ -116,10 +122,10 @@ void MainWindow::make_docks() {
     problems->setWindowTitle(count == 0 ? QString("Problems") : QString("Problems (%1)").arg(count));
   });
   problems_->on_frame([this](const Problem& problem) {
-    if (problem.place)
-      view_->frame_place(*problem.place);
-    else if (!problem.slides.empty())
+    if (!problem.slides.empty())
       view_->frame_selection();
+    else if (problem.place)
+      view_->frame_place(*problem.place);
   });
   problems_->on_mark([this](const std::optional<Point3>& place) { view_->mark_place(place); });
   tabs_ = new QTabWidget(this);
@@ -157,6 +163,7 @@ void MainWindow::make_status_line() {
 void MainWindow::update(WorkspaceChange change) {
   switch (change) {
     case WorkspaceChange::scene:
+      note_file();
       show_first_help();
       show_title();
       show_undo();
@@ -232,19 +239,20 @@ void MainWindow::show_hint() {
 
 void MainWindow::say_failure(const std::string& sentence) {
   statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), failure_ms);
-  shows_failure_ = true;
+  shows_attempts_failure_ = false;
   QApplication::beep();
 }
 
 void MainWindow::say_done(const std::string& sentence) {
   statusBar()->showMessage(QString::fromStdString(sentence), done_ms);
-  shows_failure_ = false;
+  shows_attempts_failure_ = false;
 }
 
 void MainWindow::finish_command(const nlohmann::json& command) {
+  if (!command.is_null() && command.value("command", "") == "save") note_file();
   const std::string sentence = command.is_null() ? "" : done_text(command, editor_->workspace());
   if (!sentence.empty()) return say_done(sentence);
-  if (std::exchange(shows_failure_, false)) statusBar()->clearMessage();
+  if (std::exchange(shows_attempts_failure_, false)) statusBar()->clearMessage();
 }
 
 void MainWindow::set_dark(bool dark) {

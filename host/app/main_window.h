@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "host/app/autosave.h"
 #include "host/app/canvas.h"
@@ -94,6 +95,8 @@ class MainWindow : public QMainWindow {
   void finish_typing();
   bool wait_for_cage();
   bool save_to(const std::filesystem::path& path);
+  void note_file();  // the open scene has just been read or written
+  bool may_overwrite(const std::filesystem::path& scene);
   bool save();
   bool save_as();
   void export_cage();
@@ -120,7 +123,8 @@ class MainWindow : public QMainWindow {
   QTabWidget* tabs_ = nullptr;
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
-  bool shows_failure_ = false;
+  std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
+  bool shows_attempts_failure_ = false;  // in the status line: it goes with the next attempt that succeeds
   QLabel *hint_ = nullptr, *stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;

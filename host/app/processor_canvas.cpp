@@ -21,14 +21,12 @@ namespace {
 class ProcessorCanvas : public Canvas, private QWidget {
  public:
   explicit ProcessorCanvas(QWidget& parent) : QWidget(&parent) {
-    constexpr int points_per_inch = 72;  // as QVTKOpenGLNativeWidget has it
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAttribute(Qt::WA_TransparentForMouseEvents);
     window_->SetMultiSamples(0);
     window_->SetShowWindow(false);
     window_->SetOffScreenRendering(1);
     window_->SetSwapBuffers(0);  // or the finished frame is copied within VTK
-    window_->SetDPI(qRound(points_per_inch * devicePixelRatioF()));
     interactor_->SetRenderWindow(window_);
   }
   QWidget& widget() override { return *this; }
@@ -42,8 +40,10 @@ class ProcessorCanvas : public Canvas, private QWidget {
   QSize wanted() const { return (QSizeF(QWidget::size()) * devicePixelRatioF()).toSize(); }
 
   void draw_picture() {
+    constexpr int points_per_inch = 72;  // as QVTKOpenGLNativeWidget has it
     const QSize size = wanted();
     if (size.isEmpty()) return;
+    window_->SetDPI(qRound(points_per_inch * devicePixelRatioF()));
     window_->SetSize(size.width(), size.height());
     window_->Render();
     read(size);
@@ -65,8 +65,10 @@ class ProcessorCanvas : public Canvas, private QWidget {
   }
 
   void paintEvent(QPaintEvent*) override {
-    if (picture_.size() != wanted()) draw_picture();
-    QPainter(this).drawImage(0, 0, picture_);
+    if (picture_.isNull()) draw_picture();
+    QPainter painter(this);
+    // Of another size until the view has drawn itself in the new one.
+    picture_.size() == wanted() ? painter.drawImage(0, 0, picture_) : painter.drawImage(rect(), picture_);
   }
 
   vtkNew<vtkRenderWindow> window_;

@@ -7,24 +7,24 @@
 namespace cagewright::host {
 namespace {
 
-std::unique_ptr<QLockFile> lock_of(const std::filesystem::path& scene) {
+std::string file_name(const std::filesystem::path& scene) {
   std::string name = ".";
   name.append(scene.filename().string()).append(".lock");
-  auto lock = std::make_unique<QLockFile>(QString::fromStdString((scene.parent_path() / name).string()));
+  return (scene.parent_path() / name).string();
+}
+
+std::unique_ptr<QLockFile> lock_of(const std::filesystem::path& scene) {
+  auto lock = std::make_unique<QLockFile>(QString::fromStdString(file_name(scene)));
   lock->setStaleLockTime(0);  // a window may be open for days; stale is what has no process
   return lock;
 }
 
 }  // namespace
 
-bool SceneLock::is_held(const std::filesystem::path& scene) {
-  const auto lock = lock_of(scene);
-  return !lock->tryLock() && lock->error() == QLockFile::LockFailedError;
-}
-
 void SceneLock::take(const std::filesystem::path& scene) {
   file_.reset();
   is_elsewhere_ = false;
+  scene_ = scene;
   if (scene.empty()) return;
   file_ = lock_of(scene);
   is_elsewhere_ = true;
@@ -33,6 +33,16 @@ void SceneLock::take(const std::filesystem::path& scene) {
 
 void SceneLock::take_again() {
   if (is_elsewhere_) is_elsewhere_ = !file_->tryLock() && file_->error() == QLockFile::LockFailedError;
+}
+
+std::string SceneLock::holder() const {
+  qint64 process = 0;
+  QString machine, program;
+  std::string file = "(";
+  file.append(std::filesystem::path(file_name(scene_)).filename().string()).append(")");
+  if (!file_ || !file_->getLockInfo(&process, &machine, &program)) return file;
+  std::string who = "process ";
+  return who.append(std::to_string(process)).append(" on ").append(machine.toStdString()).append(" ").append(file);
 }
 
 }  // namespace cagewright::host

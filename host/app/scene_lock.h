@@ -5,22 +5,26 @@
 #include <QLockFile>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace cagewright::host {
 
-// Says which window has a scene open, by a file beside it: "." + its name + ".lock". What a process that is gone has
-// left does not count. Where no such file can be written there is no lock, and none is missed.
+// Says which window has a scene open, by a file beside it: "." + its name + ".lock". What a process of this machine has
+// left that is gone does not count; whether one of another machine is there still nobody can tell, so that counts.
+// Where no such file can be written there is no lock, and none is missed.
 class SceneLock {
  public:
-  static bool is_held(const std::filesystem::path& scene);  // by any window, this one's too
-
   // Gives up the lock before. An empty path: of none.
   void take(const std::filesystem::path& scene);
   void take_again();  // where another window had it: that may have been closed since
   // Whether another window has it.
   bool is_elsewhere() const { return is_elsewhere_; }
+  const std::filesystem::path& scene() const { return scene_; }
+  // Who has it elsewhere, and by which file: "process 12 on machine (.scene.glb.lock)".
+  std::string holder() const;
 
  private:
+  std::filesystem::path scene_;
   std::unique_ptr<QLockFile> file_;
   bool is_elsewhere_ = false;
 };

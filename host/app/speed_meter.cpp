@@ -42,8 +42,10 @@ std::string speed_text(const SpeedMeter::Figures& figures) {
   if (figures.cages == 0) return "cage: drag a slide";
   char text[120];
   const int decimals = figures.cages_per_second < 9.95 ? 1 : 0;
-  std::snprintf(text, sizeof text, "cage %.*f/s, %.0f ms (95 %%: %.0f ms), frame %.0f ms", decimals,
-                figures.cages_per_second, figures.median_ms, figures.percentile_95_ms, figures.frame_ms);
+  const bool is_hardly_any = figures.cages_per_second > 0 && figures.cages_per_second < 0.1;
+  std::snprintf(text, sizeof text, "cage %s%.*f/s, %.0f ms (95 %%: %.0f ms), frame %.0f ms", is_hardly_any ? "< " : "",
+                decimals, is_hardly_any ? 0.1 : figures.cages_per_second, figures.median_ms, figures.percentile_95_ms,
+                figures.frame_ms);
   return text;
 }
 

@@ -33,6 +33,12 @@ constexpr const char* first_help =
     "Alt + mouse turns the view, F1 lists all keys.";
 
 fs::path path_of(const QString& file) { return fs::path(file.toStdString()); }
+// None: it is not there.
+std::optional<fs::file_time_type> time_of(const fs::path& file) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file, error);
+  return error ? std::nullopt : std::optional(time);
+}
 QString text_of(const fs::path& path) { return QString::fromStdString(path.string()); }
 
 }  // namespace
@@ -42,29 +48,27 @@ void MainWindow::open(const fs::path& path) {
   const fs::path scene = fs::absolute(path);
   fs::path saved_as = scene;
   if (!is_scene_name(scene)) saved_as.replace_extension(".glb");
-  std::optional<fs::path> left = Autosave::recoverable(saved_as);
-  if (editor_->workspace().has_scene() && editor_->workspace().path() == saved_as) left.reset();  // our own
+  const std::optional<fs::path> left = autosave_->claim(saved_as);
   bool recovers = false;
   if (left) {
     const auto answer = QMessageBox::question(
         this, "Recover changes?",
         QString("The program ended before %1 was saved. Recover what was not saved?").arg(text_of(saved_as.filename())),
         QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
-    if (answer == QMessageBox::Cancel) return;
+    if (answer == QMessageBox::Cancel) return autosave_->give_up_claim();
     recovers = answer == QMessageBox::Yes;
   }
   const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
                                 : editor_->run({{"command", "open"}, {"path", scene.string()}});
-  if (!is_open) return;
+  if (!is_open) return autosave_->give_up_claim();
   remember(scene);
   if (recovers) autosave_->keep_recovered();
   std::error_code ignored;
   if (left && !recovers) fs::remove(*left, ignored);
   std::string notes;
   if (autosave_->is_open_elsewhere())
-    notes = saved_as.filename().string() +
-            " is open in another window, too: who saves last wins, and only there changes survive a crash. Save As "
-            "gives it a name of its own";
+    notes = saved_as.filename().string() + " is open in another window, too, " + autosave_->open_elsewhere_by() +
+            ": who saves last wins, and only there changes survive a crash. Save As gives it a name of its own";
   for (const std::string& note : editor_->workspace().notes()) notes += (notes.empty() ? "" : "; ") + note;
   if (!notes.empty()) say_failure(notes);
 }
@@ -134,7 +138,24 @@ bool MainWindow::save() {
   std::error_code none;
   // Of a model: what has that name already is another scene.
   if (!workspace.has_file() && fs::exists(workspace.path(), none)) return save_as();
+  const auto time = time_of(workspace.path());
+  if (workspace.has_file() && time && time != on_disk_ && !may_overwrite(workspace.path())) return false;
   return save_to(workspace.path());
+}
+
+void MainWindow::note_file() {
+  const Workspace& workspace = editor_->workspace();
+  on_disk_ = workspace.has_scene() ? time_of(workspace.path()) : std::nullopt;
+}
+
+bool MainWindow::may_overwrite(const fs::path& scene) {
+  const auto answer = QMessageBox::question(
+      this, "Changed by another",
+      QString(
+          "%1 is not what this window has opened or saved: another program or window has written it. Write over it?")
+          .arg(text_of(scene.filename())),
+      QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+  return answer == QMessageBox::Yes;
 }
 
 bool MainWindow::save_to(const fs::path& path) {

@@ -77,12 +77,10 @@ class Nodes {
       transform.affine() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data()).topRows<3>();
       return transform;
     }
-    if (check(node.translation, 3, "translation")) transform.translate(Eigen::Vector3d::Map(node.translation.data()));
-    if (check(node.rotation, 4, "rotation")) {
-      transform.rotate(Eigen::Quaterniond(Eigen::Vector4d::Map(node.rotation.data())).normalized());
-    }
-    if (check(node.scale, 3, "scale")) transform.scale(Eigen::Vector3d::Map(node.scale.data()));
-    return transform;
+    check(node.translation, 3, "translation");
+    check(node.rotation, 4, "rotation");
+    check(node.scale, 3, "scale");
+    return gltf_transform(node.translation, node.rotation, node.scale);
   }
 
  private:
@@ -119,6 +117,17 @@ class Nodes {
 
 std::vector<int> gltf_parents(const std::filesystem::path& path, const tinygltf::Model& model) {
   return Nodes(path, model).parents();
+}
+
+Eigen::Affine3d gltf_transform(const std::vector<double>& translation, const std::vector<double>& rotation,
+                               const std::vector<double>& scale) {
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  if (!translation.empty()) transform.translate(Eigen::Vector3d::Map(translation.data()));
+  if (!rotation.empty()) {
+    transform.rotate(Eigen::Quaterniond(Eigen::Vector4d::Map(rotation.data())).normalized());
+  }
+  if (!scale.empty()) transform.scale(Eigen::Vector3d::Map(scale.data()));
+  return transform;
 }
 
 Eigen::Affine3d gltf_local_transform(const std::filesystem::path& path, const tinygltf::Model& model, int node) {

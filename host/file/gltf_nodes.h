@@ -18,6 +18,10 @@ std::vector<int> gltf_parents(const std::filesystem::path& path, const tinygltf:
 
 // Throws FileError, which names the node, where translation, rotation, scale or matrix are not finite numbers of the
 // right count.
+// Of a node's "translation", "rotation" (x, y, z, w; of any length) and "scale", each of which may be empty.
+Eigen::Affine3d gltf_transform(const std::vector<double>& translation, const std::vector<double>& rotation,
+                               const std::vector<double>& scale);
+
 Eigen::Affine3d gltf_local_transform(const std::filesystem::path& path, const tinygltf::Model& model, int node);
 
 // The nodes of the default scene (of all roots where there is no scene) with their transforms to the scene, parents

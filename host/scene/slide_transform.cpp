@@ -3,8 +3,12 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
+
+#include "host/file/gltf_nodes.h"
 
 namespace cagewright::host {
 namespace {
@@ -19,18 +23,24 @@ Eigen::Affine3d from_columns(const Eigen::Vector3d& x, const Eigen::Vector3d& y,
   return transform;
 }
 
+// Decimal, so that a radius of 0.35 stays 0.35.
+double rounded_to(int digits, double value) {
+  std::array<char, 40> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+  std::from_chars(text.data(), end.ptr, value);
+  return value;
+}
+
 // Coarser than what is lost by turning and measuring, so that rounding again changes nothing, or only once more:
 // numbers of a rotation are read as if they were of length 1.
 std::optional<StoredEllipse> rounded(const Slide::Ellipse& ellipse) {
-  constexpr int bits = 46;
+  constexpr int digits = 14;
+  constexpr double turn = 1e14;  // of one part in it
   auto numbers = decompose(slide_transform(ellipse));
   if (!numbers) return {};
-  for (std::size_t i = 3; i < 7; ++i) (*numbers)[i] = std::ldexp(std::round(std::ldexp((*numbers)[i], bits)), -bits);
-  for (std::size_t i = 7; i < 10; ++i) {
-    int exponent = 0;
-    const double mantissa = std::frexp((*numbers)[i], &exponent);
-    (*numbers)[i] = std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
-  }
+  for (std::size_t i = 3; i < 7; ++i) (*numbers)[i] = std::round((*numbers)[i] * turn) / turn;
+  for (std::size_t i = 7; i < 10; ++i) (*numbers)[i] = rounded_to(digits, (*numbers)[i]);
   return StoredEllipse{*numbers, transformed_circle(compose(*numbers))};
 }
 
@@ -74,11 +84,8 @@ std::optional<TranslationRotationScale> decompose(const Eigen::Affine3d& transfo
 }
 
 Eigen::Affine3d compose(const TranslationRotationScale& numbers) {
-  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-  transform.translate(Eigen::Vector3d(numbers[0], numbers[1], numbers[2]));
-  transform.rotate(Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5]).normalized());
-  transform.scale(Eigen::Vector3d(numbers[7], numbers[8], numbers[9]));
-  return transform;
+  const auto from = numbers.begin();
+  return gltf_transform({from, from + 3}, {from + 3, from + 7}, {from + 7, from + 10});
 }
 
 std::optional<StoredEllipse> as_stored(const Slide::Ellipse& ellipse) {

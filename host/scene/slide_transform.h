@@ -28,8 +28,10 @@ std::optional<TranslationRotationScale> decompose(const Eigen::Affine3d& transfo
 // What reading these numbers from a node gives, to the bit.
 Eigen::Affine3d compose(const TranslationRotationScale& numbers);
 
-// A slide's numbers as a node under its mesh node has them, and the ellipse that reading them gives: 1e-14 of its size
-// from the one asked for. A scene that is saved and read has the slides, and so the cage, that it had before.
+// A slide's numbers as a node under its mesh node has them, and the ellipse that reading them gives: 1e-13 of its size
+// from the one asked for where its radii are perpendicular; else it is the same ellipse by its principal radii (radii
+// that are so but for 1e-9 are turned by as much). A scene that is saved and read has the slides, and so the cage, that
+// it had before; not where a file of others has put a transform between the slide and its mesh.
 struct StoredEllipse {
   TranslationRotationScale numbers{};
   Slide::Ellipse ellipse;

@@ -60,9 +60,24 @@ ScriptJson ScriptContext::names_of(const std::vector<std::int64_t>& ids) const {
 
 ScriptRunner::ScriptRunner(Workspace& workspace, ViewCommand view) : workspace_(workspace), view_(std::move(view)) {}
 
+// While it is there, that command is being run.
+class ScriptRunner::Running {
+ public:
+  Running(std::string& name, const std::string& command) : name_(name) { name_ = command; }
+  ~Running() { name_.clear(); }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  std::string& name_;
+};
+
 nlohmann::json ScriptRunner::run(const nlohmann::json& command) {
   const ScriptCommand& found = find_command(command);
   const ScriptArguments arguments(command, found.name, found.arguments);
+  if (!running_.empty())
+    throw ScriptError(std::string(found.name) + ": " + running_ + " is still being run: wait for it, or cancel it");
+  const Running running(running_, found.name);
   ScriptContext context{workspace_, clipboard_, is_interrupted_};
   ScriptJson said = found.run(context, arguments);
   if (found.is_of_view && view_) view_(command);

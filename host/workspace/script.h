@@ -29,7 +29,8 @@ class ScriptRunner {
   explicit ScriptRunner(Workspace& workspace, ViewCommand view = {});
 
   // Returns what the command has to say: {} or, of report, copy ..., an object. Throws ScriptError, CommandError,
-  // FileError, PluginError, PluginLoadError, PictureError, Cancelled; then nothing has changed.
+  // FileError, PluginError, PluginLoadError, PictureError, Cancelled; then nothing has changed. Called by what
+  // interrupt_where asks it throws ScriptError: one command is run at a time.
   nlohmann::json run(const nlohmann::json& command);
 
   // Asked while a command works for long (validate, turntable: before each frame); where it answers true the command
@@ -47,10 +48,13 @@ class ScriptRunner {
   static std::vector<Description> commands();
 
  private:
+  class Running;
+
   Workspace& workspace_;
   ViewCommand view_;
   std::function<void(const nlohmann::json&)> recorder_;
   std::function<bool()> is_interrupted_;
+  std::string running_;    // the command that is being run; empty: none
   std::string clipboard_;  // of copy_slides, for paste_slides without slides
 };
 

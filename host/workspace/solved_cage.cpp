@@ -38,6 +38,18 @@ bool names(const std::string& sentence, const std::string& slide) {
   return sentence.find("'" + slide + "'") != std::string::npos;
 }
 
+// With all slides that its sentence names. The ABI has no place of it: the slide's middle stands for it.
+Problem problem_of(const SlideInfo& slide, const SolveRequest& request) {
+  Problem problem{slide.message, {}, {}};
+  for (const auto& [id, asked] : request.slides) {
+    if (asked.name != slide.name && !names(slide.message, asked.name)) continue;
+    problem.slides.push_back(id);
+    if (const auto* ellipse = std::get_if<Slide::Ellipse>(&asked.shape); ellipse && asked.name == slide.name)
+      problem.place = ellipse->center;
+  }
+  return problem;
+}
+
 }  // namespace
 
 CageState read_cage_state(const Plugin& plugin, const Session& session, const SolveRequest& request) {
@@ -89,8 +101,7 @@ std::vector<Problem> problems_of(const PluginError& error, const Session* sessio
       blame_slide(id->second);
     } else if (std::ranges::find(first.slides, id->second) == first.slides.end()) {
       const auto same = std::ranges::find(problems, slide.message, &Problem::sentence);
-      same == problems.end() ? problems.push_back({slide.message, {id->second}, {}})
-                             : same->slides.push_back(id->second);
+      if (same == problems.end()) problems.push_back(problem_of(slide, request));
     }
   }
   problems.insert(problems.begin(), std::move(first));

@@ -16,6 +16,11 @@ from window_case import path, PROGRAM, run_tests, SCENES, setUpModule, tearDownM
 from window_driver import Window, is_red
 
 
+def read(name):
+    with open(name, 'rb') as file:
+        return file.read()
+
+
 class Scenes(WindowTest):
     def open_scene(self, name):
         copies = path('scenes')  # a window leaves locks and autosaves beside its scene
@@ -53,6 +58,59 @@ class Scenes(WindowTest):
                 shot = window.shot('placed_' + name)
                 self.assertGreater(shot.count((at['x'] - 6, at['y'] - 6, 13, 13), is_red), 3)
                 window.close()
+
+    def test_a_file_that_another_has_written_is_not_written_over_unasked(self):
+        scene = path('shared.glb')
+        shutil.copy(path('biped.glb'), scene)
+        window = self.open('shared.glb')
+        window.run('remove_slides', slides='neck')
+        window.settle()
+        time.sleep(0.01)
+        shutil.copy(path('biped.glb'), scene)
+        theirs = read(scene)
+        window.key('ctrl+s')
+        time.sleep(0.5)
+        window.focus_dialog('Changed by another')
+        window.key('Return')  # No is what is offered
+        time.sleep(0.3)
+        self.assertEqual(read(scene), theirs)
+        window.focus('main_window')
+        window.key('ctrl+s')
+        time.sleep(0.5)
+        window.focus_dialog('Changed by another')
+        window.key('alt+y')
+        window.wait_until(lambda s: s['saved'], 'written over')
+        self.assertNotEqual(read(scene), theirs)
+        window.focus('main_window')
+        window.run('undo')
+        window.key('ctrl+s')
+        window.wait_until(lambda s: s['saved'], 'its own file is saved unasked')
+
+    def test_a_scene_that_cannot_be_opened_is_said_on_the_terminal_too(self):
+        with open(path('text.glb'), 'w') as file:
+            file.write('not a scene')
+        window = Window(window_case.server, PROGRAM, path('text.glb'), errors=subprocess.PIPE)
+        self.addCleanup(window.close)
+        self.assertFalse(window.state()['has_scene'])
+        window.process.kill()
+        said = window.process.stderr.read().decode()
+        window.process.stderr.close()
+        self.assertRegex(said, r'(?m)^cagewright: .*text\.glb')
+
+    def test_a_slide_beyond_all_bounds_does_not_take_the_view_along(self):
+        window = self.open('biped.glb')
+        window.settle()
+        window.key('a')
+        before = window.shot('before_far')
+        view = window.view()
+        window.run('change_slide', slide='neck', center=[1e300, 0, 0])
+        window.settle()
+        window.key('a')
+        window.run('undo')
+        window.settle()
+        window.key('a')
+        window.settle()
+        self.assertLess(window.shot('after_far').differs(before, view), 0.01 * view[2] * view[3])
 
     def test_what_the_plugin_would_know_survives_without_it(self):
         window = Window(window_case.server, PROGRAM, environment={'CAGEWRIGHT_PLUGIN': path('none.so')})
@@ -172,6 +230,25 @@ class Files(WindowTest):
         first.key('ctrl+q')
         self.assertEqual(first.process.wait(20), 0)
         self.wait_for_file(path('.passed.glb.autosave.glb'))
+        self.assertNotIn('another window', second.state()['title'])
+
+    def test_what_a_window_that_crashed_has_left_is_put_aside_by_one_that_goes_on(self):
+        shutil.copy(path('biped.glb'), path('left.glb'))
+        often = {'CAGEWRIGHT_AUTOSAVE_MS': '300'}
+        first = self.open('left.glb', environment=often)
+        first.settle()
+        second = self.open('left.glb', environment=often)
+        second.settle()
+        first.run('remove_slides', slides=['brow'])
+        self.wait_for_file(path('.left.glb.autosave.glb'))
+        first.crash()
+        left = read(path('.left.glb.autosave.glb'))
+        second.run('remove_slides', slides=['neck'])
+        self.wait_for_file(path('left_recovered_1.glb'))
+        self.assertEqual(read(path('left_recovered_1.glb')), left)
+        self.wait_for_file(path('.left.glb.autosave.glb'))
+        self.assertRegex(second.state()['status'], 'another window ended .* is in left_recovered_1.glb now')
+        self.assertNotIn('another window', second.state()['title'])
 
     def wait_for_file(self, name):
         end = time.monotonic() + 20

@@ -45,8 +45,12 @@ class Looking(WindowTest):
                 window = self.open(None, '--graphics', graphics)
                 window.settle()
                 window.xdotool('search', '--onlyvisible', '--name', 'Cagewright', 'windowsize', 900, 600)
+                for _ in range(50):
+                    x, y, width, height = window.view()
+                    if x + width < 900 and y + height < 600:
+                        break
+                    time.sleep(0.1)
                 window.settle()
-                x, y, width, height = window.view()
                 window.key('a')
                 before = window.shot('small_' + graphics)
                 self.assertGreater(before.count((x, y, width, height), is_red), 50)

@@ -20,7 +20,7 @@ TEST(SpeedMeter, SaysCagesASecondFromTheFirstToTheLastAndHowLongOneTakes) {
 
 TEST(SpeedMeter, OfFewCagesASecondSaysOneDecimalSoThatTheyAreNotNone) {
   const auto text = [](double per_second) { return speed_text({9, per_second, 500, 500, 12}).substr(0, 10); };
-  EXPECT_EQ(text(0.04), "cage 0.0/s");
+  EXPECT_EQ(text(0.04), "cage < 0.1");
   EXPECT_EQ(text(1.8), "cage 1.8/s");
   EXPECT_EQ(text(9.94), "cage 9.9/s");
   EXPECT_EQ(text(9.96), "cage 10/s,");

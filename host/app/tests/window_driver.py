@@ -96,13 +96,14 @@ class Server:
 class Window:
     """`cagewright view` with a home of its own, so that no settings of the user's are read or written."""
 
-    def __init__(self, server, program, *arguments, home=None, environment=None):
+    def __init__(self, server, program, *arguments, home=None, environment=None,
+                 errors=None):
         self.home = home or tempfile.mkdtemp(prefix='cagewright-window-')
         self.environment = dict(os.environ, DISPLAY=server.display, HOME=self.home,
                                 XDG_CONFIG_HOME=os.path.join(self.home, 'config'), QT_QPA_PLATFORM='xcb',
                                 **(environment or {}))
         self.process = subprocess.Popen([program, 'view', '--commands', *map(str, arguments)], env=self.environment,
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors)
         self.pending = b''
         self.settle()
         self.focus('main_window')

@@ -19,6 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kFarthest = 1e15;          // units of the scene
 constexpr double kRadiansPerPixel = 0.006;  // tumble; a window's width is about one turn
 constexpr double kDollyPerPixel = 0.005;    // of the distance, exponentially
 constexpr double kZoomPerStep = 0.15;       // likewise
@@ -39,7 +40,10 @@ Place place_of(vtkRenderer& renderer) {
 }
 
 // Sets the parallel scale, too, so that both projections show the same at the centre.
+// Not beyond what can be drawn: numbers are floats there, and there would be no way back.
 void put(vtkRenderer& renderer, const Place& place) {
+  const double farthest = std::max(place.focal_point.cwiseAbs().maxCoeff(), place.eye.cwiseAbs().maxCoeff());
+  if (!place.focal_point.allFinite() || !place.eye.allFinite() || !place.up.allFinite() || farthest > kFarthest) return;
   vtkCamera* camera = renderer.GetActiveCamera();
   camera->SetFocalPoint(place.focal_point.data());
   camera->SetPosition(place.eye.data());
