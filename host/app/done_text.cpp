@@ -1,10 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/done_text.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace cagewright::host {
+namespace {
+
+using nlohmann::json;
+
+// Across a limb that runs along the stroke's plane the loop is the limb's length, not its girth.
+std::string length_text(const json& stroke, const SceneSlide& slide) {
+  constexpr double long_ratio = 3;  // a short stroke on a thick limb is usual
+  const auto from = stroke.front().get<Point3>(), to = stroke.back().get<Point3>();
+  const double drawn = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  const auto length = [](const Point3& radius) { return 2 * std::hypot(radius[0], radius[1], radius[2]); };
+  const double ratio = std::max(length(slide.ellipse.u), length(slide.ellipse.v)) / drawn;
+  if (!(ratio > long_ratio)) return {};
+  char text[40];
+  std::snprintf(text, sizeof text, "%.1f", ratio);
+  return slide.name + " is " + text +
+         " times as long as the stroke: if that is not meant, undo and draw right across the limb, or from another "
+         "side";
+}
+
+}  // namespace
 
 std::string done_text(const nlohmann::json& command, const Workspace& workspace) {
   const std::string name = command.value("command", "");
@@ -14,6 +37,8 @@ std::string done_text(const nlohmann::json& command, const Workspace& workspace)
   if (name == "export_cage") return "Exported the cage to " + file();
   if (name == "picture") return "Exported a picture to " + file();
   if (name == "turntable") return "Exported the frames of a turn to " + command.value("folder", "");
+  if (name == "add_slide" && command.contains("line_of_sight") && !workspace.slides().empty())
+    return length_text(command["stroke"], *workspace.slides().back());
   return {};
 }
 

@@ -75,17 +75,14 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
             this, [this] { editor_->workspace().poll(); }, Qt::QueuedConnection);
       },
       [this](const nlohmann::json& command) { view_->run(command); });
-  editor_->on_failure([this](const std::string& sentence) {
-    say_failure(sentence);
-    shows_attempts_failure_ = true;
-  });
+  editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
   editor_->on_done([this](const nlohmann::json& command) { finish_command(command); });
   recorder_ = std::make_unique<ScriptRecorder>(*editor_);
   autosave_ = new Autosave(*editor_, this);
   bool is_given = false;
   if (const int delay = qEnvironmentVariableIntValue("CAGEWRIGHT_AUTOSAVE_MS", &is_given); is_given)
     autosave_->set_delay(delay);
-  autosave_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  autosave_->on_failure([this](const std::string& sentence) { say_warning(sentence); });
   autosave_->on_lock([this] { show_title(); });
   view_ = new ViewWidget(*editor_, graphics, this);
   setCentralWidget(view_);
@@ -239,20 +236,32 @@ void MainWindow::show_hint() {
 
 void MainWindow::say_failure(const std::string& sentence) {
   statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), failure_ms);
-  shows_attempts_failure_ = false;
+  shows_attempts_failure_ = true;
+  is_of_command_ = false;
   QApplication::beep();
+}
+
+void MainWindow::say_warning(const std::string& sentence) {
+  say_failure(sentence);
+  shows_attempts_failure_ = false;
 }
 
 void MainWindow::say_done(const std::string& sentence) {
   statusBar()->showMessage(QString::fromStdString(sentence), done_ms);
-  shows_attempts_failure_ = false;
+  shows_attempts_failure_ = is_of_command_ = false;
 }
 
 void MainWindow::finish_command(const nlohmann::json& command) {
   if (!command.is_null() && command.value("command", "") == "save") note_file();
   const std::string sentence = command.is_null() ? "" : done_text(command, editor_->workspace());
-  if (!sentence.empty()) return say_done(sentence);
-  if (std::exchange(shows_attempts_failure_, false)) statusBar()->clearMessage();
+  if (!sentence.empty()) {
+    say_done(sentence);
+    is_of_command_ = true;
+    return;
+  }
+  if (shows_attempts_failure_ || (is_of_command_ && !command.is_null())) statusBar()->clearMessage();
+  shows_attempts_failure_ = false;
+  if (!command.is_null()) is_of_command_ = false;
 }
 
 void MainWindow::set_dark(bool dark) {

@@ -44,6 +44,7 @@ class MainWindow : public QMainWindow {
   void set_dark(bool dark);
   // In the status line. A failure's sentence goes when the next thing succeeds, or after a while.
   void say_failure(const std::string& sentence);
+  void say_warning(const std::string& sentence);  // of no attempt: it stays for its time
   void say_done(const std::string& sentence);
   // Into that file; empty: stops.
   void record(const std::filesystem::path& path);
@@ -124,6 +125,7 @@ class MainWindow : public QMainWindow {
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
+  bool is_of_command_ = false;                              // what the status line says: it goes with the next command
   bool shows_attempts_failure_ = false;  // in the status line: it goes with the next attempt that succeeds
   QLabel *hint_ = nullptr, *stage_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -70,7 +70,7 @@ void MainWindow::open(const fs::path& path) {
     notes = saved_as.filename().string() + " is open in another window, too, " + autosave_->open_elsewhere_by() +
             ": who saves last wins, and only there changes survive a crash. Save As gives it a name of its own";
   for (const std::string& note : editor_->workspace().notes()) notes += (notes.empty() ? "" : "; ") + note;
-  if (!notes.empty()) say_failure(notes);
+  if (!notes.empty()) say_warning(notes);
 }
 
 void MainWindow::show_first_help() {

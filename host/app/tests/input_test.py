@@ -67,6 +67,20 @@ class Strokes(WindowTest):
         state = window.wait_until(lambda s: s['undo'] == first['undo'], 'both are taken back')
         self.assertEqual(state['slides'], first['slides'])
 
+    def test_a_slide_much_longer_than_its_stroke_is_pointed_out(self):
+        window = self.open()
+        window.settle()
+        window.run('look', axis='front')
+        window.key('d')
+        window.drag([self.leg(window, 0.4)[2], self.leg(window, 0.5)[2]])  # along the shin
+        window.wait_until(lambda s: len(s['slides']) == 1, 'the stroke makes a slide')
+        self.assertRegex(window.state()['status'], r'^slide 1 is \d+\.\d times as long as the stroke: if that is not meant')
+        window.key('ctrl+z')
+        window.wait_until(lambda s: not s['slides'], 'it is taken back')
+        window.drag(list(self.leg(window)[:2]))
+        window.wait_until(lambda s: len(s['slides']) == 1, 'the stroke makes a slide')
+        self.assertEqual(window.state()['status'], '')
+
     def length(self, vector):
         return sum(x * x for x in vector)**0.5
 
