@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/problems_list.h"
 
+#include <QKeyEvent>
 #include <QStyle>
 #include <algorithm>
+#include <array>
 
 namespace cagewright::host {
 namespace {
@@ -51,6 +53,15 @@ void ProblemsList::show_problem(int row) {
   }
   mark(problem);
   if (frame_) frame_(problem);
+}
+
+// A key that leads nowhere, as down in a list of one, shows where one is.
+void ProblemsList::keyPressEvent(QKeyEvent* event) {
+  const int before = currentRow();
+  QListWidget::keyPressEvent(event);
+  constexpr std::array leading = {Qt::Key_Up,  Qt::Key_Down,   Qt::Key_Home,
+                                  Qt::Key_End, Qt::Key_PageUp, Qt::Key_PageDown};
+  if (currentRow() != before || std::ranges::find(leading, event->key()) != leading.end()) show_problem(currentRow());
 }
 
 void ProblemsList::mark(const std::optional<Problem>& problem) {

@@ -10,8 +10,9 @@
 
 namespace cagewright::host {
 
-// What is wrong with the cage, a sentence each. A click selects the slides at fault and asks for their place to be
-// framed and marked; the mark is there as long as the problem is, or until another is chosen.
+// What is wrong with the cage, a sentence each. A click, or a key that goes to another, selects the slides at
+// fault and asks for their place to be framed and marked; the mark is there as long as the problem is, or until another
+// is chosen.
 class ProblemsList : public QListWidget {
  public:
   ProblemsList(Editor& editor, QWidget* parent);
@@ -19,6 +20,9 @@ class ProblemsList : public QListWidget {
   void on_frame(std::function<void(const Problem&)> frame) { frame_ = std::move(frame); }
   void on_mark(std::function<void(const std::optional<Point3>&)> mark) { mark_ = std::move(mark); }
   void on_count(std::function<void(int)> count) { count_ = std::move(count); }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void fill();
