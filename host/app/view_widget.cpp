@@ -185,7 +185,7 @@ void ViewWidget::run(const nlohmann::json& command) {
     if (command.contains("slide"))
       frame_slide(command["slide"]);
     else
-      what == "all" ? frame_all() : frame_selection();
+      what == "all" ? frame_all() : what == "model" ? frame_model() : frame_selection();
   } else if (name == "look") {
     camera_->look_along(axis_of(command.value("axis", "perspective")));
     frame_all();
@@ -223,6 +223,11 @@ bool ViewWidget::shows_speed() const { return speed_label_->isVisibleTo(this); }
 
 void ViewWidget::frame_all() {
   if (const auto bounds = scene_->bounds()) camera_->frame(*bounds);
+  render_soon();
+}
+
+void ViewWidget::frame_model() {
+  if (const auto bounds = scene_->bounds_of_model()) camera_->frame(*bounds);
   render_soon();
 }
 

@@ -50,6 +50,7 @@ class ViewWidget : public QWidget {
   // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
   void run(const nlohmann::json& command);
   void frame_all();
+  void frame_model();  // the one that is being caged
   void frame_selection();
   void frame_slide(const std::string& name);
   void frame_place(const Point3& place);

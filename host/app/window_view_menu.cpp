@@ -38,6 +38,9 @@ void MainWindow::make_view_menu() {
               {{"command", "frame"}, {"what", "selection"}});
   add_command(menu, "frame_all", "Frame &All", "A", "Brings everything into view",
               {{"command", "frame"}, {"what", "all"}});
+  add_command(menu, "frame_model", "Frame Model", "Shift+A",
+              "Brings the model that is being caged into view, however far away slides and cage reach",
+              {{"command", "frame"}, {"what", "model"}});
   QMenu& look = *menu.addMenu("&Look");
   const char* axes[] = {"perspective", "front", "back", "left", "right", "top", "bottom"};
   for (int i = 0; i < 7; ++i)

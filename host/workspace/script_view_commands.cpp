@@ -9,7 +9,7 @@ namespace {
 using Kind = ScriptArgument::Kind;
 
 ScriptJson frame(ScriptContext& context, const ScriptArguments& arguments) {
-  const std::string what = arguments.choice("what", {"all", "selection", "slide"}, "all");
+  const std::string what = arguments.choice("what", {"all", "model", "selection", "slide"}, "all");
   if ((what == "slide") != arguments.has("slide")) arguments.fail("\"slide\" names the slide where \"what\" is slide");
   if (what == "slide") static_cast<void>(context.slide(arguments.text("slide")));
   return {};
@@ -38,7 +38,8 @@ std::vector<ScriptCommand> script_view_commands() {
   return {
       {"frame",
        {{"what", Kind::text}, {"slide", Kind::text}},
-       "Moves the camera so that \"all\" (else), the \"selection\" or one \"slide\" fills the view",
+       "Moves the camera so that \"all\" (else), the \"model\" alone, the \"selection\" or one \"slide\" fills the "
+       "view",
        frame,
        true},
       {"look",

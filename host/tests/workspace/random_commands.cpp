@@ -112,7 +112,7 @@ Json RandomCommands::make(const std::string& chosen) {
   if (chosen == "paste_slides") return one_in(2) ? Json::object() : Json{{"slides", listed_ellipses()}};
   if (chosen == "set_parameter") return set_parameter();
   if (chosen == "select_mesh") return select_mesh();
-  if (chosen == "frame") return {{"what", any<std::string>({"all", "selection"})}};
+  if (chosen == "frame") return {{"what", any<std::string>({"all", "model", "selection"})}};
   if (chosen == "look") return {{"axis", any<std::string>({"front", "top", "perspective"})}};
   if (chosen == "show") return {{"what", any<std::string>({"cage", "slides"})}, {"on", one_in(2)}};
   if (chosen == "projection") return {{"orthographic", one_in(2)}};

@@ -180,6 +180,11 @@ std::optional<std::array<double, 6>> SceneView::bounds() const {
   return to_bounds(box);
 }
 
+std::optional<std::array<double, 6>> SceneView::bounds_of_model() const {
+  const MeshEntry* active = state_->active();
+  return active == nullptr ? std::nullopt : to_bounds(active->bounds);
+}
+
 std::optional<std::array<double, 6>> SceneView::bounds_of_slides(const std::vector<std::int64_t>& ids) const {
   Eigen::AlignedBox3d box;
   for (const ShownSlide& slide : state_->slides) {

@@ -93,6 +93,7 @@ class SceneView {
   // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there. Of meshes and slides alone: what is
   // framed does not depend on how far the cage has come.
   std::optional<std::array<double, 6>> bounds() const;
+  std::optional<std::array<double, 6>> bounds_of_model() const;  // the active mesh
   std::optional<std::array<double, 6>> bounds_of_slides(const std::vector<std::int64_t>& ids) const;
   std::optional<std::array<double, 6>> bounds_of_place(const Point3& place) const;  // a small box round it
 
