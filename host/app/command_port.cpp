@@ -152,10 +152,14 @@ json CommandPort::state() const {
               {"status", window_.statusBar()->currentMessage().toStdString()},
               {"solving", workspace.progress().is_solving},
               {"has_scene", workspace.has_scene()}};
-  json marks = json::array();
-  for (const QAction* action : window_.findChildren<QAction*>())
-    if (action->isChecked() && !action->objectName().isEmpty()) marks.push_back(action->objectName().toStdString());
+  json marks = json::array(), disabled = json::array();
+  for (const QAction* action : window_.findChildren<QAction*>()) {
+    if (action->objectName().isEmpty()) continue;
+    if (action->isChecked()) marks.push_back(action->objectName().toStdString());
+    if (!action->isEnabled()) disabled.push_back(action->objectName().toStdString());
+  }
   all["marks"] = std::move(marks);
+  all["disabled"] = std::move(disabled);
   if (!workspace.has_scene()) return all;
   const CageState& cage = workspace.cage();
   all["mesh"] = workspace.mesh_node();

@@ -42,6 +42,22 @@ bool Editor::run(const nlohmann::json& command) {
   return attempt([&] { run_or_throw(command); });
 }
 
+bool Editor::run_typed(const nlohmann::json& command) {
+  try {
+    run_or_throw(command);
+  } catch (const std::exception& error) {
+    refuse_typed(error.what());
+    return false;
+  }
+  if (std::exchange(has_refused_typed_, false) && tell_warning_) tell_warning_("");
+  return true;
+}
+
+void Editor::refuse_typed(const std::string& sentence) {
+  has_refused_typed_ = true;
+  if (tell_warning_) tell_warning_(sentence);
+}
+
 nlohmann::json Editor::run_or_throw(const nlohmann::json& command) {
   nlohmann::json said = script_.run(command);
   if (tell_done_) tell_done_(command);

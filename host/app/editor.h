@@ -30,6 +30,10 @@ class Editor {
   bool run(const nlohmann::json& command);
   // Runs it and lets what it throws through: for scripts.
   nlohmann::json run_or_throw(const nlohmann::json& command);
+  // The same as run of what somebody has typed, where the field goes on to the next thing at once: what is refused is
+  // told by a warning, which stays until something that was typed is taken.
+  bool run_typed(const nlohmann::json& command);
+  void refuse_typed(const std::string& sentence);  // it did not come to a command
   // The same for what is no command: false where `action` threw one of the host's errors.
   bool attempt(const std::function<void()>& action);
 
@@ -39,6 +43,8 @@ class Editor {
   // only, the last of them always.
   void listen_seldom(Listener listener) { seldom_.push_back(std::move(listener)); }
   void on_failure(std::function<void(const std::string& sentence)> tell) { tell_failure_ = std::move(tell); }
+  // Of no attempt; empty: the one before has had its time.
+  void on_warning(std::function<void(const std::string& sentence)> tell) { tell_warning_ = std::move(tell); }
   // Told of every command that went well, and, with null, of every attempt in which nothing failed.
   void on_done(std::function<void(const nlohmann::json& command)> tell) { tell_done_ = std::move(tell); }
 
@@ -53,9 +59,10 @@ class Editor {
   std::vector<Listener> listeners_, seldom_;
   std::set<WorkspaceChange> pending_;  // of seldom_
   QTimer pending_timer_;
-  std::function<void(const std::string&)> tell_failure_;
+  std::function<void(const std::string&)> tell_failure_, tell_warning_;
   std::function<void(const nlohmann::json&)> tell_done_;
-  std::size_t failures_ = 0;  // that were told
+  std::size_t failures_ = 0;        // that were told
+  bool has_refused_typed_ = false;  // and nothing typed was taken since
 };
 
 }  // namespace cagewright::host

@@ -76,6 +76,8 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
       },
       [this](const nlohmann::json& command) { view_->run(command); });
   editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
+  editor_->on_warning(
+      [this](const std::string& sentence) { sentence.empty() ? statusBar()->clearMessage() : say_warning(sentence); });
   editor_->on_done([this](const nlohmann::json& command) { finish_command(command); });
   recorder_ = std::make_unique<ScriptRecorder>(*editor_);
   autosave_ = new Autosave(*editor_, this);
@@ -164,6 +166,7 @@ void MainWindow::update(WorkspaceChange change) {
       show_first_help();
       show_title();
       show_undo();
+      show_paste();
       break;
     case WorkspaceChange::progress:
     case WorkspaceChange::cage:

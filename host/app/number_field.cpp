@@ -86,12 +86,19 @@ bool NumberField::event(QEvent* event) {
 void NumberField::finish() {
   if (!isModified()) return;
   bool is_number = false;
-  double value = QLocale::c().toDouble(text().trimmed().replace(',', '.'), &is_number);
-  if (is_integer_) value = std::round(value);
-  if (!is_number || !std::isfinite(value) || value < least_ || value > greatest_) return set_value(value_);
+  const QString typed = text().trimmed();
+  const double value = QLocale::c().toDouble(QString(typed).replace(',', '.'), &is_number);
+  if (!is_number || !std::isfinite(value)) return refuse(typed);
   if (value == value_) return set_value(value_);
   set_value(value);
   if (edited_) edited_(value);
+}
+
+void NumberField::refuse(const QString& typed) {
+  set_value(value_);
+  if (!refused_) return;
+  const QString what = typed.isEmpty() ? QString("nothing was typed") : QString("\"%1\" is no number").arg(typed);
+  refused_(QString("%1: %2, it stays %3").arg(accessibleName(), what, QLocale::c().toString(value_)).toStdString());
 }
 
 void NumberField::step(int steps) {

@@ -5,21 +5,24 @@
 #include <QLineEdit>
 #include <functional>
 #include <limits>
+#include <string>
 
 namespace cagewright::host {
 
 // A number of any size, shown with as many digits as there is room for, its exponent always; a spin box would cut 1e-9
-// to 0. The tool tip has all digits. Told when return or tabulator ends the editing; what is no number or out of range
-// goes back to what it was. The arrow keys change its second digit.
+// to 0. The tool tip has all digits. Told when return or tabulator ends the editing; whoever is told sees to the range
+// and shows the number before again where it refuses. What is no number is refused here, and goes back to what it was.
+// The arrow keys change the second digit, within the range.
 class NumberField : public QLineEdit {
  public:
   explicit NumberField(QWidget* parent = nullptr);
 
-  void set_range(double least, double greatest, bool is_integer);
-  void set_value(double value);  // tells nobody
-  void show(double value);       // the same, but not while another number is typed
+  void set_range(double least, double greatest, bool is_integer);  // of the arrow keys
+  void set_value(double value);                                    // tells nobody
+  void show(double value);                                         // the same, but not while another number is typed
   double value() const { return value_; }
   void on_edit(std::function<void(double)> edited) { edited_ = std::move(edited); }
+  void on_refusal(std::function<void(const std::string& sentence)> tell) { refused_ = std::move(tell); }
 
  protected:
   bool event(QEvent* event) override;
@@ -28,6 +31,7 @@ class NumberField : public QLineEdit {
 
  private:
   QString fitting_text() const;
+  void refuse(const QString& typed);
   void finish();
   void step(int steps);
 
@@ -35,6 +39,7 @@ class NumberField : public QLineEdit {
   double least_ = -std::numeric_limits<double>::infinity(), greatest_ = std::numeric_limits<double>::infinity();
   bool is_integer_ = false;
   std::function<void(double)> edited_;
+  std::function<void(const std::string&)> refused_;
 };
 
 }  // namespace cagewright::host

@@ -104,6 +104,7 @@ QWidget* ParameterPanel::make_field(const Parameter& parameter) {
   auto* number = new NumberField(fields_);
   number->set_range(parameter.minimum, parameter.maximum, parameter.type == CGW_PARAM_INTEGER);
   number->on_edit([this, id](double value) { set(id, value); });
+  number->on_refusal([this](const std::string& sentence) { editor_.refuse_typed(sentence); });
   show_[id] = [number](double value) { number->show(value); };
   return number;
 }
@@ -116,7 +117,7 @@ void ParameterPanel::show_values() {
 }
 
 void ParameterPanel::set(const std::string& id, double value) {
-  if (!editor_.run({{"command", "set_parameter"}, {"id", id}, {"value", value}})) show_values();
+  if (!editor_.run_typed({{"command", "set_parameter"}, {"id", id}, {"value", value}})) show_values();
 }
 
 }  // namespace cagewright::host

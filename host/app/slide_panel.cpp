@@ -5,9 +5,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <limits>
 
 #include "host/app/number_field.h"
+#include "host/file/file_error.h"
 #include "host/workspace/find_problem.h"
 
 namespace cagewright::host {
@@ -49,6 +51,7 @@ void SlidePanel::add_numbers(QFormLayout& form, const QString& label, const QStr
     field->setAccessibleName(QString("%1 %2").arg(label).arg(i + 1));
     field->setToolTip(tip);
     field->on_edit([this](double) { take_numbers(); });
+    field->on_refusal([this](const std::string& sentence) { editor_.refuse_typed(sentence); });
     first[i] = field;
     row->addWidget(field);
   }
@@ -93,7 +96,7 @@ void SlidePanel::rename() {
   const std::string name = name_->text().toStdString();
   name_->setModified(false);
   if (!shown || shown->name == name) return;
-  if (!editor_.run({{"command", "rename_slide"}, {"slide", shown->name}, {"name", name}})) show_slide();
+  if (!editor_.run_typed({{"command", "rename_slide"}, {"slide", shown->name}, {"name", name}})) show_slide();
 }
 
 void SlidePanel::take_numbers() {
@@ -106,9 +109,16 @@ void SlidePanel::take_numbers() {
   }
   placement.radius_u = radii_[0]->value();
   placement.radius_v = radii_[1]->value();
+  // A negative one would turn the ellipse.
+  for (const double radius : {placement.radius_u, placement.radius_v})
+    if (!(radius > 0)) {
+      editor_.refuse_typed("slide " + in_quotes(shown->name) + ": a radius has to be above 0, not " +
+                           QLocale::c().toString(radius).toStdString());
+      return show_slide();
+    }
   const Slide::Ellipse ellipse = ellipse_of(placement);
   const nlohmann::json change = {{"name", shown->name}, {"center", ellipse.center}, {"u", ellipse.u}, {"v", ellipse.v}};
-  if (!editor_.run({{"command", "change_slides"}, {"slides", nlohmann::json::array({change})}})) show_slide();
+  if (!editor_.run_typed({{"command", "change_slides"}, {"slides", nlohmann::json::array({change})}})) show_slide();
 }
 
 }  // namespace cagewright::host

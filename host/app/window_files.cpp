@@ -41,6 +41,15 @@ std::optional<fs::file_time_type> time_of(const fs::path& file) {
 }
 QString text_of(const fs::path& path) { return QString::fromStdString(path.string()); }
 
+// Those on the clipboard; empty: it holds something else, or nothing.
+json copied_slides() {
+  const QString text = QApplication::clipboard()->text();
+  if (!text.trimmed().startsWith('{')) return json::array();  // most of what people copy
+  json copied = json::parse(text.toStdString(), nullptr, false);
+  if (!copied.is_object() || !copied.contains("slides") || !copied["slides"].is_array()) return json::array();
+  return copied["slides"];
+}
+
 }  // namespace
 
 void MainWindow::open(const fs::path& path) {
@@ -256,10 +265,10 @@ void MainWindow::copy_slides() {
 }
 
 void MainWindow::paste_slides() {
-  const json copied = json::parse(QApplication::clipboard()->text().toStdString(), nullptr, false);
-  if (!copied.is_object() || !copied.contains("slides"))
-    return say_failure("The clipboard holds no slides: copy some first.");
-  editor_->run({{"command", "paste_slides"}, {"slides", copied["slides"]}});
+  const json slides = copied_slides();
+  if (!slides.empty()) editor_->run({{"command", "paste_slides"}, {"slides", slides}});
 }
+
+void MainWindow::show_paste() { paste_->setEnabled(editor_->workspace().has_scene() && !copied_slides().empty()); }
 
 }  // namespace cagewright::host

@@ -41,11 +41,24 @@ class Themes(WindowTest):
 class Telling(WindowTest):
     scene = 'biped.glb'
 
+    def broken_scene(self):
+        with open(path('broken.glb'), 'wb') as file:
+            file.write(b'glTF')
+        return path('broken.glb')
+
     def test_the_sentence_of_what_failed_goes_when_the_next_thing_succeeds(self):
         window = self.open()
         window.settle()
-        window.key('ctrl+v')
-        window.wait_until(lambda s: 'clipboard holds no slides' in s['status'], 'it says so')
+        self.assertFalse(window.ask(command='select', slides=['nobody'])['ok'])  # answered, not told
+        self.assertEqual(window.state()['status'], '')
+        window.key('ctrl+o')
+        window.focus_dialog('Open')
+        time.sleep(0.3)
+        window.key('ctrl+a')
+        window.type(self.broken_scene())
+        window.key('Return')
+        window.wait_until(lambda s: 'broken.glb' in s['status'], 'it says so')
+        window.focus('main_window')
         window.key('ctrl+a')
         state = window.wait_until(lambda s: s['selection'], 'all are selected')
         self.assertEqual(state['status'], '')
@@ -86,6 +99,65 @@ class Panels(WindowTest):
         window.move(field['x'] + 20, field['y'] + 10)
         time.sleep(1.2)
         self.assertIn('-4.78123456e-17', window.where(widget='qtooltip_label')['text'])
+
+    def type_into(self, window, name, text, end='Return'):
+        field = window.where(widget=name)
+        window.click(field['x'] + 10, field['y'] + field['height'] / 2)
+        window.key('ctrl+a')
+        window.type(text) if text else window.key('Delete')
+        window.key(end)
+
+    def said(self, window, *words):
+        return window.wait_until(lambda s: all(word in s['status'] for word in words), ' '.join(words))
+
+    def test_a_number_that_is_refused_is_told_and_goes_back_to_what_it_was(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        before = window.where(widget='slide_radii_0')['text']
+        for text, words in (('0', ['"waist"', 'above 0', 'not 0']), ('-1', ['above 0', 'not -1']),
+                            ('wide', ['Radii 1: "wide" is no number, it stays 0.']),
+                            ('', ['Radii 1: nothing was typed', 'it stays 0.']),
+                            ('1e308', ['"waist"', 'finite'])):
+            with self.subTest(text):
+                self.type_into(window, 'slide_radii_0', text)
+                state = self.said(window, *words)
+                self.assertEqual(window.where(widget='slide_radii_0')['text'], before)
+                self.assertEqual(state['undo'], '')
+        window.shot('number_refused')
+        self.type_into(window, 'slide_name', '')
+        self.said(window, 'a slide needs a name')
+        self.assertEqual(window.where(widget='slide_name')['text'], 'waist')
+
+    def test_a_refusal_outlasts_the_click_that_ends_the_typing_but_not_the_next_number(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0', end='Tab')
+        self.said(window, 'above 0')
+        window.key('ctrl+a')  # of the next field
+        x, y, width, height = window.view()
+        window.type('x')
+        window.click(x + width / 2, y + 20)  # nothing is there: what is selected is let go
+        window.wait_until(lambda s: not s['selection'], 'nothing is selected')
+        self.said(window, 'Radii 2: "x" is no number')
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0.3')
+        self.assertEqual(window.wait_until(lambda s: s['undo'], 'it is taken')['status'], '')
+
+    def test_a_parameter_that_is_refused_is_told_with_its_range(self):
+        window = self.open()
+        window.settle()
+        tabs = window.where(widget='tabs')
+        window.click(tabs['x'] + 75, tabs['y'] + 12)  # the second tab
+        before = window.where(widget='refine.delta')['text']
+        for text, words in (('-1', ['"refine.delta"', 'has to be from 0 to']), ('nan', ['is no number', 'it stays'])):
+            self.type_into(window, 'refine.delta', text)
+            self.assertEqual(self.said(window, *words)['undo'], '')
+            self.assertEqual(window.where(widget='refine.delta')['text'], before)
+        self.type_into(window, 'refine.iterations', '2.5')
+        self.said(window, '"refine.iterations"', 'a whole number')
+        window.shot('parameter_refused')
 
     def test_the_report_is_as_wide_as_its_panel(self):
         window = self.open()
@@ -184,9 +256,87 @@ class Outliner(WindowTest):
         window.settle()
         self.assertEqual(window.shot().count(view, is_orange), 0)
 
+    def test_keys_in_the_problems_list_show_the_place_as_a_click_does(self):
+        window = self.open()
+        window.settle()
+        waist = next(slide for slide in window.state()['slides'] if slide['name'] == 'waist')
+        for name, side in (('far', 9), ('farther', 12)):
+            window.run('add_slide', name=name, center=[side, 1, 0], u=waist['u'], v=waist['v'])
+        state = window.wait_until(lambda s: len(s['problems']) > 1, 'both are problems')
+        first, last = state['problems'][0]['slides'], state['problems'][-1]['slides']
+        self.assertNotEqual(first, last)
+        row = window.where(widget='problems')['rows'][0]
+        window.click(row['x'], row['y'])
+        window.wait_until(lambda s: s['selection'] == first, 'the first is shown')
+        at = window.where(point=[9, 1, 0])
+
+        def shows(slides, away):
+            window.wait_until(lambda s: s['selection'] == slides, 'it is shown: %r' % slides)
+            window.wait_until(lambda s: (window.where(point=[9, 1, 0]) != at) == away, 'its place is framed')
+
+        for key, slides, away in (('Down', last, True), ('Up', first, False), ('End', last, True),
+                                  ('Home', first, False)):
+            window.key(key)
+            shows(slides, away)
+        window.shot('problem_by_key')
+        window.run('frame', what='all')
+        window.key('Home')  # leads nowhere: shows where one is
+        shows(first, False)
+
+    def test_a_slide_far_away_does_not_keep_the_model_from_being_framed(self):
+        window = self.open()
+        window.settle()
+
+        def height():
+            return abs(window.where(point=[0, 0, 0])['y'] - window.where(point=[0, 1.7, 0])['y'])
+
+        alone = height()
+        window.run('add_slide', name='far', center=[90, 1, 0], u=[0.1, 0, 0], v=[0, 0, 0.1])
+        window.key('a')
+        window.wait_until(lambda s: height() < alone / 10, 'all is framed')
+        window.key('shift+a')
+        window.wait_until(lambda s: abs(height() - alone) < 0.1 * alone, 'the model is framed')
+        window.shot('model_framed')
+
 
 class Menus(WindowTest):
     scene = 'biped.glb'
+
+    def test_paste_is_there_only_where_slides_were_copied(self):
+        window = self.open()
+        window.settle()
+
+        def can_paste(holds):
+            window.wait_until(lambda s: ('paste' not in s['disabled']) == holds, 'paste: %r' % holds)
+
+        can_paste(False)
+        window.run('select', slides=['waist', 'neck'])
+        window.key('ctrl+c')
+        can_paste(True)
+        window.key('ctrl+v')
+        window.wait_until(lambda s: len(s['slides']) == 19, 'both are pasted')
+        other = self.open('biped.off')
+        other.settle()
+        self.assertNotIn('paste', other.state()['disabled'])  # of another window
+        other.close()
+        for slide, text in (('waist', 'no slides'), ('neck', '{"slides": 3}'), ('brow', '{"slides": []}')):
+            window.focus('main_window')
+            window.run('select', slides=[slide])
+            field = window.where(widget='slide_name')
+            window.click(field['x'] + 10, field['y'] + field['height'] / 2)
+            window.key('ctrl+a')
+            window.type(text)
+            window.key('ctrl+a', 'ctrl+c')
+            can_paste(False)
+            window.key('Return')
+            x, y, width, height = window.view()
+            window.click(x + width / 2, y + 20)
+            window.key('ctrl+a')
+            window.wait_until(lambda s: len(s['selection']) == 19, 'all are selected')
+            window.key('ctrl+c')
+            can_paste(True)
+        window.run('close')
+        can_paste(False)
 
     def marks(self, window):
         return set(window.state()['marks'])

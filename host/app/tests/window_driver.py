@@ -214,7 +214,7 @@ class Window:
         time.sleep(0.1)
 
     def type(self, text):
-        self.xdotool('type', '--delay', '5', text)
+        self.xdotool('type', '--delay', '5', '--', text)
 
     # ---- pictures
 
