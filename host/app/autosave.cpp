@@ -37,7 +37,17 @@ fs::path Autosave::file_for(const fs::path& scene) {
 std::optional<fs::path> Autosave::claim(const fs::path& scene) {
   if (scene == lock_.scene()) return {};
   claimed_.take(scene);
+  return left_of_claimed();
+}
+
+std::optional<fs::path> Autosave::claim_by_force() {
+  claimed_.take_by_force();
+  return left_of_claimed();
+}
+
+std::optional<fs::path> Autosave::left_of_claimed() const {
   if (claimed_.is_elsewhere()) return {};
+  const fs::path& scene = claimed_.scene();
   const fs::path file = file_for(scene);
   std::error_code none;
   const auto written = fs::last_write_time(file, none);
@@ -84,16 +94,29 @@ bool Autosave::may_write() {
 
 // Of another window that had the scene open and has ended without saving or throwing away.
 void Autosave::put_aside_what_is_left() {
-  const fs::path left = file_for(scene_);
   std::error_code error;
-  if (!fs::exists(left, error)) return;
-  fs::path kept;
-  for (int number = 1; kept.empty() || fs::exists(kept, error); ++number)
-    kept = scene_.parent_path() / (scene_.stem().string() + "_recovered_" + std::to_string(number) + ".glb");
-  fs::rename(left, kept, error);
-  if (error || !tell_failure_) return;
-  tell_failure_("another window ended before it had saved " + scene_.filename().string() + ": what it had is in " +
-                kept.filename().string() + " now");
+  if (!fs::exists(file_for(scene_), error)) return;
+  std::string told = "another window ended before it had saved " + scene_.filename().string() + ": what it had ";
+  try {
+    told += "is in " + put_aside(scene_).filename().string() + " now";
+  } catch (const fs::filesystem_error&) {
+    return;
+  }
+  if (tell_failure_) tell_failure_(told);
+}
+
+fs::path Autosave::free_name_aside(const fs::path& scene) {
+  std::error_code none;
+  fs::path free;
+  for (int number = 1; free.empty() || fs::exists(free, none); ++number)
+    free = scene.parent_path() / (scene.stem().string() + "_recovered_" + std::to_string(number) + ".glb");
+  return free;
+}
+
+fs::path Autosave::put_aside(const fs::path& scene) {
+  fs::path kept = free_name_aside(scene);
+  fs::rename(file_for(scene), kept);
+  return kept;
 }
 
 void Autosave::write() {

@@ -31,7 +31,18 @@ class Autosave : public QObject {
   // Before a scene is opened: takes its lock, so that no other window asks the same, and returns an autosave that is
   // newer than the scene, or whose scene is not there. Empty where there is none, or the scene is open already.
   std::optional<std::filesystem::path> claim(const std::filesystem::path& scene);
+  // Whether another window's lock kept it from that, of which nobody can tell if it is still there.
+  bool is_claim_doubtful() const { return claimed_.is_doubtful(); }
+  const SceneLock& claimed_lock() const { return claimed_; }
+  // The same as claim, once more, where that window is gone: its lock is removed.
+  std::optional<std::filesystem::path> claim_by_force();
   void give_up_claim() { claimed_ = {}; }  // it is not opened
+  // Where put_aside would leave the autosave of a scene: NAME_recovered_1.glb beside it, or the next number that is
+  // free.
+  static std::filesystem::path free_name_aside(const std::filesystem::path& scene);
+  // Renames the autosave of a scene, so that it is not offered again, and returns its new name. Throws
+  // std::filesystem::filesystem_error.
+  static std::filesystem::path put_aside(const std::filesystem::path& scene);
   // No autosave of the open scene any more, where this program has written or recovered one. Waits for what is being
   // written.
   void discard();
@@ -46,6 +57,7 @@ class Autosave : public QObject {
  private:
   void update(WorkspaceChange change);
   void take_lock();  // of scene_
+  std::optional<std::filesystem::path> left_of_claimed() const;
   bool may_write();
   void put_aside_what_is_left();
   void write();

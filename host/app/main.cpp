@@ -96,7 +96,8 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   if (arguments.scene) {
     window.open(*arguments.scene);
     // The window stays, so that another can be chosen.
-    if (!window.editor().workspace().has_scene()) say(0, window.statusBar()->currentMessage().toStdString());
+    const std::string why = window.statusBar()->currentMessage().toStdString();  // empty: a question was cancelled
+    if (!window.editor().workspace().has_scene() && !why.empty()) say(0, why);
   }
   const int code = QApplication::exec();
   application.on_failure({});

@@ -93,6 +93,10 @@ class MainWindow : public QMainWindow {
   void show_hint();
 
   bool may_lose_changes();
+  // Whether a scene is opened though another machine's lock says that it is open there; may remove the lock.
+  bool may_open_locked(std::optional<std::filesystem::path>& left);
+  // Nothing: it is not to be opened at all.
+  std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& scene);
   void choose_file();
   void finish_typing();
   bool wait_for_cage();

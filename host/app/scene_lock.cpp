@@ -2,6 +2,7 @@
 #include "host/app/scene_lock.h"
 
 #include <QString>
+#include <QSysInfo>
 #include <string>
 
 namespace cagewright::host {
@@ -35,11 +36,24 @@ void SceneLock::take_again() {
   if (is_elsewhere_) is_elsewhere_ = !file_->tryLock() && file_->error() == QLockFile::LockFailedError;
 }
 
+bool SceneLock::is_doubtful() const {
+  qint64 process = 0;
+  QString machine, program;
+  return is_elsewhere_ && (!file_->getLockInfo(&process, &machine, &program) || machine != QSysInfo::machineHostName());
+}
+
+void SceneLock::take_by_force() {
+  file_->removeStaleLockFile();
+  take_again();
+}
+
+std::filesystem::path SceneLock::file() const { return file_name(scene_); }
+
 std::string SceneLock::holder() const {
   qint64 process = 0;
   QString machine, program;
   std::string file = "(";
-  file.append(std::filesystem::path(file_name(scene_)).filename().string()).append(")");
+  file.append(this->file().filename().string()).append(")");
   if (!file_ || !file_->getLockInfo(&process, &machine, &program)) return file;
   std::string who = "process ";
   return who.append(std::to_string(process)).append(" on ").append(machine.toStdString()).append(" ").append(file);

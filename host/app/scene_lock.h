@@ -20,8 +20,13 @@ class SceneLock {
   // Whether another window has it.
   bool is_elsewhere() const { return is_elsewhere_; }
   const std::filesystem::path& scene() const { return scene_; }
+  // Whether nobody can tell if that window is still there: the lock is of another machine, or does not say of which.
+  bool is_doubtful() const;
+  // Takes it all the same: that window is gone. Where the file cannot be removed, it stays elsewhere.
+  void take_by_force();
   // Who has it elsewhere, and by which file: "process 12 on machine (.scene.glb.lock)".
   std::string holder() const;
+  std::filesystem::path file() const;  // precondition: scene() is not empty
 
  private:
   std::filesystem::path scene_;

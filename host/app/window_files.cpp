@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opening, saving and exporting from the window, and the questions that go with it.
+// Saving, exporting and copying from the window, and the questions that go with it.
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -16,7 +16,6 @@
 #include "host/app/main_window.h"
 #include "host/app/view_widget.h"
 #include "host/plugin_client/plugin_error.h"
-#include "host/scene/scene_names.h"
 
 namespace cagewright::host {
 namespace {
@@ -51,36 +50,6 @@ json copied_slides() {
 }
 
 }  // namespace
-
-void MainWindow::open(const fs::path& path) {
-  if (!may_lose_changes()) return;
-  const fs::path scene = fs::absolute(path);
-  fs::path saved_as = scene;
-  if (!is_scene_name(scene)) saved_as.replace_extension(".glb");
-  const std::optional<fs::path> left = autosave_->claim(saved_as);
-  bool recovers = false;
-  if (left) {
-    const auto answer = QMessageBox::question(
-        this, "Recover changes?",
-        QString("The program ended before %1 was saved. Recover what was not saved?").arg(text_of(saved_as.filename())),
-        QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
-    if (answer == QMessageBox::Cancel) return autosave_->give_up_claim();
-    recovers = answer == QMessageBox::Yes;
-  }
-  const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
-                                : editor_->run({{"command", "open"}, {"path", scene.string()}});
-  if (!is_open) return autosave_->give_up_claim();
-  remember(scene);
-  if (recovers) autosave_->keep_recovered();
-  std::error_code ignored;
-  if (left && !recovers) fs::remove(*left, ignored);
-  std::string notes;
-  if (autosave_->is_open_elsewhere())
-    notes = saved_as.filename().string() + " is open in another window, too, " + autosave_->open_elsewhere_by() +
-            ": who saves last wins, and only there changes survive a crash. Save As gives it a name of its own";
-  for (const std::string& note : editor_->workspace().notes()) notes += (notes.empty() ? "" : "; ") + note;
-  if (!notes.empty()) say_warning(notes);
-}
 
 void MainWindow::show_first_help() {
   // It would cover what is drawn on; the line at the bottom goes on with what it says.
