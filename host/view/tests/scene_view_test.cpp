@@ -159,6 +159,29 @@ TEST_F(SceneLook, LabelsStayInTheWindowAndOffOneAnother) {
   EXPECT_NEAR(four / one, 4, 0.1);
 }
 
+TEST_F(SceneLook, LabelsAreOfSlidesThatAreInTheWindowAlone) {
+  ShownSlide far = level_slide(1, 0.3), near = level_slide(2, 1);
+  far.failed = true;
+  far.label = "this slide does not cut the model anywhere at all, look";
+  view->set_meshes({shown(sphere_mesh(12))});
+  view->set_slides({near});
+  frame_all();
+  for (const Point3& off : {Point3{4, 0, 0}, Point3{-4, 0, 0}, Point3{0, 4, 0}, Point3{0, -4, 0}}) {
+    far.ellipse.center = off;
+    view->set_slides({far, near});
+    EXPECT_EQ(draw("off the window").count(is_text), 0);
+  }
+  far.ellipse.center = {0, 0.5, 0};
+  view->set_slides({far, near});
+  EXPECT_GT(draw("in the window").count(is_text), 200);
+  // So near that only a piece of it is in the window.
+  far.ellipse.center = {-30, 0.5, 0};
+  far.ellipse.u = {30, 0, 0};
+  far.ellipse.v = {0, 0, 30};
+  view->set_slides({far, near});
+  EXPECT_GT(draw("a piece of it").count(is_text), 200);
+}
+
 TEST_F(SceneLook, CageHasTranslucentFacesAndEdgesAndSectionsAreGreen) {
   view->set_meshes({shown(sphere_mesh(24))});
   const ShownCage cage = box_cage(1.3);

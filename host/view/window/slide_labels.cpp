@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kLineLength = 60;  // characters
 constexpr int kFontSize = 13;
 constexpr double kGap = 10;  // pixels from the ellipse, and between labels
-constexpr int kOutlineSegments = 24;
+constexpr int kOutlineSegments = 96;  // where it is near, some are still within the window
 
 bool has_label(const ShownSlide& slide) { return (slide.failed || slide.is_selected) && !slide.label.empty(); }
 
@@ -30,6 +30,11 @@ struct Box {
     return x < other.x + other.width && other.x < x + width && y < other.y + other.height && other.y < y + height;
   }
 };
+
+bool is_within(const Projection::Seen& seen, const Projection& window) {
+  return seen.is_visible && seen.x >= window.origin[0] && seen.x <= window.origin[0] + window.size[0] &&
+         seen.y >= window.origin[1] && seen.y <= window.origin[1] + window.size[1];
+}
 
 void keep_within(Box& box, const Projection& window) {
   box.x = std::max(window.origin[0], std::min(box.x, window.origin[0] + window.size[0] - box.width));
@@ -103,8 +108,9 @@ void SlideLabels::place(const Eigen::Matrix4d& to_scene) {
     Projection::Seen rightmost, leftmost;
     for (const Point3& point : label.outline) {
       const auto seen = projection.see(transformed(to_scene, to_vector(point)));
-      if (seen.is_visible && (!rightmost.is_visible || seen.x > rightmost.x)) rightmost = seen;
-      if (seen.is_visible && (!leftmost.is_visible || seen.x < leftmost.x)) leftmost = seen;
+      if (!is_within(seen, projection)) continue;
+      if (!rightmost.is_visible || seen.x > rightmost.x) rightmost = seen;
+      if (!leftmost.is_visible || seen.x < leftmost.x) leftmost = seen;
     }
     label.actor->SetVisibility(rightmost.is_visible);
     if (!rightmost.is_visible) continue;

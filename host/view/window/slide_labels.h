@@ -14,7 +14,8 @@
 namespace cagewright::host {
 
 // Text beside slides that failed or are selected, to the right of their ellipses or, where there is no room, to the
-// left; within the window, not over one another.
+// left; within the window, not over one another. Of a slide that is off the window there is none: at the window's edge
+// it would be beside something else.
 class SlideLabels {
  public:
   explicit SlideLabels(vtkRenderer& renderer);
