@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "host/app/main_window.h"
+#include "host/app/turntable_text.h"
 #include "host/app/view_widget.h"
 #include "host/plugin_client/plugin_error.h"
 
@@ -195,9 +196,7 @@ void MainWindow::draw_turntable(const fs::path& folder, int frames) {
   try {
     editor_->run_or_throw({{"command", "turntable"}, {"folder", folder.string()}, {"frames", frames}});
   } catch (const Cancelled&) {
-    say_done(drawn == 0 ? "Cancelled: no frame was written"
-                        : "Cancelled: frames 1 to " + std::to_string(drawn) + " of " + all + " are in " +
-                              folder.string() + ", the others were not drawn");
+    say_done(cancelled_turntable_text(drawn, frames, folder.string()));
   } catch (const std::exception& error) {
     say_failure(std::string(error.what()) +
                 (drawn > 0 ? "; " + std::to_string(drawn) + " of " + all + " frames were written before" : ""));

@@ -133,7 +133,7 @@ class Exporting(DialogTest):
         state = self.status(window, 'Cancelled: frames 1 to ')
         written = len(self.frames())
         self.assertLess(written, 300)
-        self.assertIn('1 to %d of 300' % written, state['status'])
+        self.assertIn('1 to %d of 300 are in ' % written, state['status'])
         self.assertEqual(len(state['slides']), 17)
         window.focus('main_window')
         window.key('ctrl+a')

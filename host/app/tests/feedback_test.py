@@ -3,6 +3,7 @@
 
     python3 feedback_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
 """
+import os
 import shutil
 import time
 
@@ -71,6 +72,26 @@ class Telling(WindowTest):
         window.settle()
         window.key('ctrl+s')
         window.wait_until(lambda s: s['status'] == 'Saved told.glb', 'it says so')
+
+    def test_a_copy_is_told(self):
+        window = self.open()
+        window.settle()
+        window.run('save_copy', path=path('told_copy.glb'))
+        self.assertEqual(window.state()['status'], 'Saved a copy as told_copy.glb')
+
+    def test_an_autosave_that_fails_is_told_and_the_window_goes_on(self):
+        shutil.copy(path('biped.glb'), path('unsafe.glb'))
+        window = self.open('unsafe.glb', environment={'CAGEWRIGHT_AUTOSAVE_MS': '300'})
+        window.settle()
+        os.mkdir(path('.unsafe.glb.autosave.glb'))  # no file can be put there
+        self.addCleanup(os.rmdir, path('.unsafe.glb.autosave.glb'))
+        window.run('remove_slides', slides=['brow'])
+        state = window.wait_until(lambda s: s['status'], 'it says so')
+        self.assertIn('The autosave failed: ', state['status'])
+        self.assertIn('.unsafe.glb.autosave.glb', state['status'])
+        window.shot('autosave_failed')
+        window.run('save')
+        self.assertEqual(window.state()['status'], 'Saved unsafe.glb')
 
     def test_a_file_that_cannot_be_opened_is_told_until_one_can(self):
         window = self.open(path('none.glb'))
