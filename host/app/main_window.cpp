@@ -13,20 +13,13 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
-#include <QTabWidget>
 #include <QToolBar>
 #include <QUrl>
 
 #include "host/app/done_text.h"
-#include "host/app/outliner.h"
-#include "host/app/parameter_panel.h"
 #include "host/app/plugin_manager.h"
-#include "host/app/problems_list.h"
-#include "host/app/report_panel.h"
-#include "host/app/slide_panel.h"
 #include "host/app/theme.h"
 #include "host/app/view_widget.h"
 #include "host/workspace/slide_names.h"
@@ -50,16 +43,7 @@ QString step_to_a_cage(const Workspace& workspace) {
   return "The cage was stopped before it was made: G makes it, and so does any change.";
 }
 
-constexpr int dock_width = 290;
 constexpr int failure_ms = 12000, done_ms = 6000;  // how long the status line shows one
-
-QWidget* scrolled(QWidget* content) {
-  auto* area = new QScrollArea;
-  area->setWidget(content);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  return area;
-}
 
 }  // namespace
 
@@ -104,39 +88,6 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
 MainWindow::~MainWindow() {
   // Widgets listen to the editor; the view's renderer has to go while the window is there.
   delete takeCentralWidget();
-}
-
-void MainWindow::make_docks() {
-  const auto dock = [this](const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
-    auto* widget = new QDockWidget(title, this);
-    widget->setObjectName(name);
-    widget->setWidget(content);
-    addDockWidget(area, widget);
-    return widget;
-  };
-  dock("outliner_dock", "Outliner", new Outliner(*editor_, this), Qt::LeftDockWidgetArea);
-  problems_ = new ProblemsList(*editor_, this);
-  QDockWidget* problems = dock("problems_dock", "Problems", problems_, Qt::LeftDockWidgetArea);
-  problems_->on_count([problems](int count) {
-    problems->setWindowTitle(count == 0 ? QString("Problems") : QString("Problems (%1)").arg(count));
-  });
-  problems_->on_frame([this](const Problem& problem) {
-    if (!problem.slides.empty())
-      view_->frame_selection();
-    else if (problem.place)
-      view_->frame_place(*problem.place);
-  });
-  problems_->on_mark([this](const std::optional<Point3>& place) { view_->mark_place(place); });
-  tabs_ = new QTabWidget(this);
-  tabs_->setObjectName("tabs");
-  tabs_->addTab(scrolled(new SlidePanel(*editor_, this)), "Slide");
-  tabs_->addTab(scrolled(new ParameterPanel(*editor_, this)), "Cage");
-  dock("attributes_dock", "Attributes", tabs_, Qt::RightDockWidgetArea);
-  dock("report_dock", "Report", scrolled(new ReportPanel(*editor_, this)), Qt::RightDockWidgetArea);
-  for (QDockWidget* widget : findChildren<QDockWidget*>()) widget->setMinimumWidth(dock_width);
-  resizeDocks({findChild<QDockWidget*>("attributes_dock"), findChild<QDockWidget*>("report_dock")}, {2, 3},
-              Qt::Vertical);
-  resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
 }
 
 void MainWindow::make_status_line() {
@@ -279,7 +230,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   autosave_->discard();
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
-  settings.setValue("docks", saveState());
+  settings.setValue("docks", wide_docks_.value_or(saveState()));
   event->accept();
 }
 

@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Item {        // of a menu
@@ -72,6 +73,9 @@ class MainWindow : public QMainWindow {
                 const std::function<bool()>& holds);
   void show_marks();
   void make_docks();
+  // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were.
+  void set_narrow(bool narrow);
+  void share_heights();  // of the panels above one another
   void make_menus();
   void make_file_menu();
   void make_edit_menu();
@@ -131,7 +135,8 @@ class MainWindow : public QMainWindow {
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
   bool is_of_command_ = false;                              // what the status line says: it goes with the next command
-  bool shows_attempts_failure_ = false;  // in the status line: it goes with the next attempt that succeeds
+  bool shows_attempts_failure_ = false;   // in the status line: it goes with the next attempt that succeeds
+  std::optional<QByteArray> wide_docks_;  // saveState() of before it became narrow
   QLabel *hint_ = nullptr, *stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;

@@ -5,6 +5,7 @@
 """
 import os
 import shutil
+import tempfile
 import time
 
 from window_case import path, run_tests, setUpModule, tearDownModule, WindowTest
@@ -318,6 +319,64 @@ class Outliner(WindowTest):
         window.key('shift+a')
         window.wait_until(lambda s: abs(height() - alone) < 0.1 * alone, 'the model is framed')
         window.shot('model_framed')
+
+
+class Sizes(WindowTest):
+    scene = 'biped.glb'
+    panels = ('outliner', 'problems', 'tabs', 'report')
+
+    def seen(self, window):
+        at = {name: window.where(widget=name) for name in self.panels}
+        return [name for name in self.panels if at[name]['x'] >= 0 and at[name]['y'] >= 0]  # hidden tabs are off the screen
+
+    def share(self, window):
+        """Of the window's width and height that the view has."""
+        whole, (x, y, width, height) = window.where(widget='main_window'), window.view()
+        return width / whole['width'], height / whole['height']
+
+    def test_the_view_has_half_of_a_window_that_is_small_or_large(self):
+        window = self.open()
+        window.settle()
+        for width, height in ((1400, 900), (700, 500), (1024, 768), (1200, 600), (660, 480), (1199, 599), (1400, 900)):
+            with self.subTest(width=width):
+                window.resize(width, height)
+                wide, high = self.share(window)
+                self.assertGreaterEqual(wide, 0.5)
+                self.assertGreaterEqual(high, 0.5)
+                window.shot('size_%d' % width)
+                if (width, height) in ((1400, 900), (1200, 600)):
+                    self.assertEqual(self.seen(window), list(self.panels))
+
+    def test_in_a_small_window_the_panels_are_tabs_that_can_be_clicked(self):
+        window = self.open()
+        window.settle()
+        window.resize(700, 500)
+        self.assertEqual(self.seen(window), ['outliner'])
+        opened = set()
+        for y in range(70, 450, 15):
+            window.click(8, y)
+            time.sleep(0.1)
+            opened.update(self.seen(window))
+            self.assertEqual(len(self.seen(window)), 1)
+        self.assertEqual(opened, set(self.panels))
+        window.shot('small_last_tab')
+
+    def test_a_window_that_was_closed_small_has_all_its_panels_when_it_is_large_again(self):
+        home = tempfile.mkdtemp(prefix='cagewright-home-')
+        self.addCleanup(shutil.rmtree, home, True)
+        window = self.open(home=home)
+        window.settle()
+        window.resize(700, 500)
+        window.focus('main_window')
+        window.key('ctrl+q')
+        self.assertEqual(window.process.wait(20), 0)
+        again = self.open(home=home)
+        again.settle()
+        self.assertEqual(again.where(widget='main_window')['width'], 700)
+        self.assertGreaterEqual(self.share(again)[0], 0.5)
+        again.resize(1400, 900)
+        self.assertEqual(self.seen(again), list(self.panels))
+        again.shot('large_again')
 
 
 class Menus(WindowTest):

@@ -175,6 +175,12 @@ class Window:
     def focus_dialog(self, title):
         self.xdotool('search', '--sync', '--onlyvisible', '--name', title, 'windowfocus')
 
+    def resize(self, width, height):
+        self.xdotool('search', '--sync', '--onlyvisible', '--pid', self.process.pid, '--name', 'Cagewright|cagewright',
+                     'windowsize', '--sync', width, height)
+        self.wait_until(lambda s: self.where(widget='main_window')['width'] == width, 'it has that size')
+        time.sleep(0.3)
+
     def move(self, x, y):
         self.xdotool('mousemove', round(x), round(y))
 
