@@ -2,12 +2,11 @@
 #include "core/enclose/enclose.h"
 
 #include <algorithm>
-#include <iomanip>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "core/enclose/clearance.h"
@@ -32,12 +31,6 @@ constexpr double push_share = 0.15, release_share = 0.2, free_share = 0.3, clear
 Progress part_of(const Progress& progress, double begin, double end) {
   if (!progress) return {};
   return [=](double fraction) { return progress(begin + fraction * (end - begin)); };
-}
-
-std::string quoted(const std::set<int>& slides, const std::vector<std::string>& names) {
-  std::string text;
-  for (const int k : slides) text += (text.empty() ? "'" : ", '") + names[static_cast<std::size_t>(k)] + "'";
-  return text;
 }
 
 // How far floats are apart where the model is.
@@ -263,7 +256,8 @@ class Enclosing {
         result_.sections_off_plane.push_back(k);
     result_.most_off_square = shape_.most_off(result_.points) / degree;
     judge_clearance();
-    result_.shortfall = shortfall();
+    result_.findings = findings();
+    result_.shortfall = sentences_of(result_.findings);
   }
 
   void judge_clearance() {
@@ -273,7 +267,11 @@ class Enclosing {
       const double rounding = std::numeric_limits<float>::epsilon() * wanted_;
       const std::vector<double> kept = distances_kept(movable_, wanted_ - rounding, options_.threads);
       too_near_ = find_too_near(movable_, kept, wanted_ - rounding);
-      if (!too_near_.slides.empty()) result_.least_distance = *std::min_element(kept.begin(), kept.end());
+      if (!too_near_.slides.empty()) {
+        const auto least = std::min_element(kept.begin(), kept.end());
+        result_.least_distance = *least;
+        nearest_place_ = middle_of(static_cast<int>(least - kept.begin()));
+      }
     }
     result_.keeps_delta = too_near_.slides.empty() && result_.certificate.encloses();
   }
@@ -284,60 +282,67 @@ class Enclosing {
   }
 
   // Those with the most failures.
-  std::string worst(const std::map<int, int>& slides) const {
+  static std::set<int> worst(const std::map<int, int>& slides) {
     std::vector<std::pair<int, int>> order;  // failures, falling, and slide
     for (const auto& [k, count] : slides) order.emplace_back(-count, k);
     std::sort(order.begin(), order.end());
     std::set<int> named;
     for (std::size_t i = 0; i < order.size() && i < most_named; ++i) named.insert(order[i].second);
-    return (order.size() > most_named ? "most of that is near the slides " : "that is near the slides ") +
-           quoted(named, names_);
+    return named;
   }
 
-  std::string shortfall_of_certified() const {
-    std::ostringstream text;
-    const bool is_near = !too_near_.slides.empty();
-    if (is_near)
-      text << std::setprecision(3)
-           << "the cage encloses the model, but not with the distance asked for everywhere; where "
-           << "it does not it keeps " << result_.least_distance / model_.diagonal << " of the diagonal: ask for less "
-           << "(refine.delta), or move limbs apart or add slides where they are close to each other, near "
-           << quoted(too_near_.slides, names_);
-    if (!too_near_.conflicts.empty())
-      text << "; in each other's way may be " << pairs(too_near_.conflicts, most_pairs_named);
+  std::vector<Finding> findings_of_certified() const {
+    std::vector<Finding> findings;
+    if (!too_near_.slides.empty())
+      findings.push_back(too_near_finding(too_near_, result_.least_distance / model_.diagonal, nearest_place_, names_));
     const std::set<int> released(result_.sections_off_plane.begin(), result_.sections_off_plane.end());
-    if (!released.empty())
-      text << (is_near ? "; " : "") << "the cage encloses the model, but the sections of the slides "
-           << quoted(released, names_)
-           << " could not stay in their planes and near to square: move or turn these slides, "
-           << "or add one beside them";
-    if (options_.in_plane && options_.delta <= 0 && shape_.section_count() > 0 &&
-        movable_.volume() > loose_ratio * model_.volume)
-      text << (text.str().empty() ? "" : "; ") << std::setprecision(3) << "the cage is "
-           << movable_.volume() / model_.volume
-           << " times as large as the model: let sections leave their slides' planes (enclose.in_plane=false), or add "
-              "slides where it stands off";
-    if (!limbs_merged_.empty())
-      text << (text.str().empty() ? "" : "; ") << "the cages of " << pairs(limbs_merged_, most_pairs_named)
-           << " run into each other and were made one there: move or turn these slides, or add one beside them, to "
-              "keep them apart";
-    return text.str();
-  }
-
-  template <class Pairs>
-  std::string pairs(const Pairs& all, std::size_t most) const {
-    std::string text;
-    std::size_t count = 0;
-    for (const auto& [a, b] : all) {
-      if (count++ == most) break;
-      text += (text.empty() ? "" : "; ") + ("the limbs at " + quoted({a}, names_)) + " and " + quoted({b}, names_);
+    if (!released.empty()) {
+      findings.push_back(off_plane_finding(released, names_));
+      if (released.size() == 1) findings.back().place = sections_[static_cast<std::size_t>(*released.begin())].center;
     }
-    return text + (all.size() > most ? "; and others" : "");
+    const double ratio = movable_.volume() / model_.volume;
+    if (options_.in_plane && options_.delta <= 0 && shape_.section_count() > 0 && ratio > loose_ratio) {
+      const auto [vertex, slides] = farthest_off();
+      findings.push_back(too_large_finding(
+          ratio, vertex < 0 ? std::nullopt : std::optional<Vector3>(movable_.point(vertex)), slides, names_));
+    }
+    if (!limbs_merged_.empty()) findings.push_back(merged_finding(limbs_merged_, names_));
+    return findings;
   }
 
-  std::string shortfall() const {
+  // The cage's vertex that is farthest outside the boxes of the parts that its triangles bound, and the slide of its
+  // section, or those of the parts; -1: none is outside. O(n + c).
+  std::pair<int, std::set<int>> farthest_off() const {
+    const Segmentation& segmentation = movable_.segmentation();
+    std::vector<Box3> boxes(segmentation.parts.size());
+    for (Eigen::Index t = 0; t < segmentation.cut.triangles.rows(); ++t)
+      boxes[static_cast<std::size_t>(segmentation.triangle_part[static_cast<std::size_t>(t)])].extend(
+          box_of_triangle(segmentation.cut, t));
+    int farthest = -1;
+    double most = 0;
+    for (int v = 0; v < movable_.vertex_count(); ++v) {
+      double off = std::numeric_limits<double>::infinity();
+      for (const int t : movable_.triangles_at(v))
+        off = std::min(off, boxes[part_of_triangle(t)].exteriorDistance(movable_.point(v)));
+      if (std::isfinite(off) && off > most) farthest = v, most = off;
+    }
+    if (farthest < 0) return {-1, {}};
+    if (const int k = shape_.section_of(farthest); k >= 0) return {farthest, {k}};
+    std::map<int, int> slides;
+    for (const int t : movable_.triangles_at(farthest)) add_slides(t, slides);
+    std::set<int> named;
+    for (const auto& [k, count] : slides)
+      if (named.size() < most_named) named.insert(k);
+    return {farthest, named};
+  }
+
+  std::size_t part_of_triangle(int t) const {
+    return static_cast<std::size_t>(cage_.triangle_part[static_cast<std::size_t>(t)]);
+  }
+
+  std::vector<Finding> findings() const {
     const Certificate& certificate = result_.certificate;
-    if (certificate.encloses()) return shortfall_of_certified();
+    if (certificate.encloses()) return findings_of_certified();
     std::map<int, int> slides;  // and how many failures each is near
     for (const int t : certificate.degenerate_triangles) add_slides(t, slides);
     for (const auto& [s, t] : certificate.self_intersections) {
@@ -345,18 +350,47 @@ class Enclosing {
       add_slides(t, slides);
     }
     for (const auto& [t, wall] : certificate.model_cage_intersections) add_slides(wall, slides);
-    std::string text = "the cage could not be made to enclose the model: ";
-    text += std::to_string(certificate.self_intersections.size()) + " pairs of its triangles cross each other, " +
-            std::to_string(certificate.model_cage_intersections.size()) + " model triangles cross it, " +
-            std::to_string(certificate.vertices_outside.size()) + " model vertices are outside; ";
-    if (slides.empty()) return text + "add slides";
-    text += worst(slides) + ": move or turn one of them, or add one between them";
-    return text + (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
+    Finding finding;
+    std::string& text = finding.sentence;
+    text = "the cage could not be made to enclose the model: " + std::to_string(certificate.self_intersections.size()) +
+           " pairs of its triangles cross each other, " + std::to_string(certificate.model_cage_intersections.size()) +
+           " model triangles cross it, " + std::to_string(certificate.vertices_outside.size()) +
+           " model vertices are outside; ";
+    if (slides.empty()) {
+      text += "add slides";
+    } else {
+      const std::set<int> named = worst(slides);
+      text += (slides.size() > named.size() ? "most of that is near the slides " : "that is near the slides ") +
+              quoted(named, names_) + ": move or turn one of them, or add one between them" +
+              (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
+      finding.slides.assign(named.begin(), named.end());
+    }
+    finding.place = place_of_failure();
+    return {finding};
+  }
+
+  std::optional<Vector3> place_of_failure() const {
+    const Certificate& certificate = result_.certificate;
+    if (!certificate.vertices_outside.empty())
+      return Vector3(to_indexed_mesh(model_.mesh).points.row(certificate.vertices_outside.front()));
+    int wall = -1;
+    if (!certificate.model_cage_intersections.empty())
+      wall = certificate.model_cage_intersections.front()[1];
+    else if (!certificate.self_intersections.empty())
+      wall = certificate.self_intersections.front()[0];
+    if (wall < 0) return {};
+    return middle_of(wall);
+  }
+
+  Vector3 middle_of(int t) const {
+    return (movable_.point(movable_.vertex_of(t, 0)) + movable_.point(movable_.vertex_of(t, 1)) +
+            movable_.point(movable_.vertex_of(t, 2))) /
+           3;
   }
 
   static constexpr double loose_ratio = 2.5;  // of volumes
   static constexpr int most_pushes = 60, most_pushes_in_plane = 24, most_pushes_released = 20, patience_in_plane = 8;
-  static constexpr std::size_t most_named = 4, most_pairs_named = 3;  // slides and pairs of limbs, in a sentence
+  static constexpr std::size_t most_named = 4;  // slides, in a sentence
 
   const Model& model_;
   const std::vector<SectionFrame>& sections_;
@@ -370,6 +404,7 @@ class Enclosing {
   bool rounds_;                                    // to floats in the end
   double gap_, wanted_;                            // model units
   TooNear too_near_;                               // in the end
+  Vector3 nearest_place_ = Vector3::Zero();        // where it is nearest, if too near
   std::vector<double> clearance_;                  // of each cage triangle: what it keeps
   std::vector<std::pair<int, int>> limbs_merged_;  // slides
   Enclosure result_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/enclose/certificate.h"
+#include "core/enclose/finding.h"
 #include "core/meshing/meshing.h"
 
 namespace cagewright {
@@ -31,8 +32,9 @@ struct Enclosure {
   bool keeps_delta = false;  // no triangle is nearer to the model than the clearance (in floating point)
   int pushes = 0;            // steps of push_out
   int sweeps = 0;            // of tighten, over all vertices
-  std::string
-      shortfall;  // where the certificate or the clearance is not earned: which slides, and what to do; else empty
+  // Where the certificate or the clearance is not earned, or the cage could be better: which slides, and what to do.
+  std::vector<Finding> findings;
+  std::string shortfall;    // their sentences; else empty
   double first_volume = 0;  // of the cage before it was tightened, model units cubed
   // Where sections were to stay in plane: those that could not, so that the cage encloses the model all the same.
   std::vector<int> sections_off_plane;

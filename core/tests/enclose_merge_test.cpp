@@ -69,6 +69,7 @@ TEST(Merge, EnclosesLegsThatNearlyTouchAndNothingElseDoes) {
     EXPECT_NE(one.enclosure->shortfall.find("the cages of the limbs at '"), std::string::npos);
     EXPECT_NE(one.enclosure->shortfall.find("run into each other and were made one there"), std::string::npos)
         << one.enclosure->shortfall;
+    EXPECT_GE(one.enclosure->findings.back().slides.size(), 2u);
   }
 }
 

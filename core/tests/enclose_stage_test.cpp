@@ -51,6 +51,24 @@ double least_distance(const IndexedMesh& model, const IndexedMesh& cage) {
   return least;
 }
 
+Eigen::AlignedBox3d box_of(const Points& points) {
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index v = 0; v < points.rows(); ++v) box.extend(Vector3(points.row(v)));
+  return box;
+}
+
+// Each has a sentence of its own, and together they are the shortfall; a finding's slides are those that it names.
+void expect_findings(const Enclosure& enclosure, const std::vector<std::string>& names) {
+  ASSERT_FALSE(enclosure.findings.empty());
+  EXPECT_EQ(sentences_of(enclosure.findings), enclosure.shortfall);
+  for (const Finding& finding : enclosure.findings) {
+    EXPECT_FALSE(finding.slides.empty()) << finding.sentence;
+    for (int k = 0; k < static_cast<int>(names.size()); ++k)
+      EXPECT_EQ(std::ranges::count(finding.slides, k), finding.sentence.find(quoted({k}, names)) != std::string::npos)
+          << finding.sentence;
+  }
+}
+
 TEST(Enclose, EarnsTheCertificateOnEveryBody) {
   for (const SlidBody& body : shapes::slid_bodies())
     for (const bool in_plane : {false, true}) {
@@ -195,6 +213,11 @@ TEST(Enclose, SaysWhereTheClearanceIsNotKept) {
   EXPECT_NE(enclosure.shortfall.find("near '"), std::string::npos) << enclosure.shortfall;
   EXPECT_NE(enclosure.shortfall.find("in each other's way may be the limbs at '"), std::string::npos)
       << enclosure.shortfall;
+  expect_findings(enclosure, refined.names);
+  ASSERT_TRUE(enclosure.findings[0].place);
+  EXPECT_LT(box_of(refined.body.mesh.points).exteriorDistance(*enclosure.findings[0].place),
+            0.06 * refined.model.diagonal)
+      << "it is where the cage is nearest";
 }
 
 TEST(Enclose, SaysWhichSlidesAreInTheWayWhereItFails) {
@@ -212,6 +235,9 @@ TEST(Enclose, SaysWhichSlidesAreInTheWayWhereItFails) {
   EXPECT_NE(enclosure.shortfall.find("could not be made to enclose"), std::string::npos) << enclosure.shortfall;
   EXPECT_NE(enclosure.shortfall.find("that is near the slides '"), std::string::npos) << enclosure.shortfall;
   EXPECT_NE(enclosure.shortfall.find("': move or turn one of them"), std::string::npos) << enclosure.shortfall;
+  expect_findings(enclosure, refined.names);
+  ASSERT_EQ(enclosure.findings.size(), 1u);
+  EXPECT_TRUE(enclosure.findings[0].place);
 }
 
 TEST(Enclose, SaysWhatToDoWhereTheCageIsFarTooLarge) {
@@ -225,13 +251,20 @@ TEST(Enclose, SaysWhatToDoWhereTheCageIsFarTooLarge) {
       enclose(refined.model, refined.result.segmentation, refined.result.sections, large, refined.names, options);
   ASSERT_TRUE(enclosure.certificate.encloses()) << enclosure.shortfall;
   EXPECT_NE(enclosure.shortfall.find("times as large as the model: let sections leave their slides' planes "
-                                     "(enclose.in_plane=false), or add slides where it stands off"),
+                                     "(enclose.in_plane=false), or add slides where it stands off, farthest near '"),
             std::string::npos)
       << enclosure.shortfall;
+  expect_findings(enclosure, refined.names);
+  ASSERT_TRUE(enclosure.findings.back().place);
+  const Eigen::AlignedBox3d model = box_of(refined.body.mesh.points);
+  const double off = model.exteriorDistance(*enclosure.findings.back().place);
+  for (Eigen::Index v = 0; v < enclosure.points.rows(); ++v)
+    EXPECT_LE(model.exteriorDistance(enclosure.points.row(v).transpose()), off) << "nothing stands off farther";
   options.tighten = true;
   const Enclosure tight = enclose(refined.model, refined.result.segmentation, refined.result.sections,
                                   *refined.result.cage, refined.names, options);
   EXPECT_EQ(tight.shortfall, "");
+  EXPECT_TRUE(tight.findings.empty());
 }
 
 TEST(Enclose, IsCancelledAtAnyCall) {

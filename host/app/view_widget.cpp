@@ -244,8 +244,14 @@ void ViewWidget::frame_slides(const std::vector<std::int64_t>& ids) {
   render_soon();
 }
 
-void ViewWidget::frame_place(const Point3& place) {
-  if (const auto bounds = scene_->bounds_of_place(place)) camera_->frame(*bounds);
+void ViewWidget::frame_problem(const std::vector<std::int64_t>& slides, const std::optional<Point3>& place) {
+  std::optional<std::array<double, 6>> bounds = scene_->bounds_of_slides(slides);
+  if (const auto round = place ? scene_->bounds_of_place(*place) : std::nullopt) {
+    if (!bounds) bounds = round;
+    for (std::size_t i = 0; i < 6; ++i)
+      (*bounds)[i] = i % 2 == 0 ? std::min((*bounds)[i], (*round)[i]) : std::max((*bounds)[i], (*round)[i]);
+  }
+  if (bounds) camera_->frame(*bounds);
   render_soon();
 }
 

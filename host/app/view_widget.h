@@ -53,7 +53,8 @@ class ViewWidget : public QWidget {
   void frame_model();  // the one that is being caged
   void frame_selection();
   void frame_slide(const std::string& name);
-  void frame_place(const Point3& place);
+  // Slides and place together; what is not there is not framed.
+  void frame_problem(const std::vector<std::int64_t>& slides, const std::optional<Point3>& place);
   void mark_place(const std::optional<Point3>& place);  // empty: no mark
   void show_help(const QString& text);                  // over the view; empty: none
   const SpeedMeter& speed() const { return speed_; }    // of the drag, or the last one

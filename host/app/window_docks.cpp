@@ -43,12 +43,7 @@ void MainWindow::make_docks() {
   problems_->on_count([problems](int count) {
     problems->setWindowTitle(count == 0 ? QString("Problems") : QString("Problems (%1)").arg(count));
   });
-  problems_->on_frame([this](const Problem& problem) {
-    if (!problem.slides.empty())
-      view_->frame_selection();
-    else if (problem.place)
-      view_->frame_place(*problem.place);
-  });
+  problems_->on_frame([this](const Problem& problem) { view_->frame_problem(problem.slides, problem.place); });
   problems_->on_mark([this](const std::optional<Point3>& place) { view_->mark_place(place); });
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("tabs");

@@ -30,6 +30,19 @@ Certificate read_certificate(const std::function<void(cgw_certificate*)>& call) 
   return result;
 }
 
+Finding read_finding(const std::function<void(cgw_finding*)>& call) {
+  cgw_finding f = CGW_FINDING_INIT;
+  call(&f);
+  Finding finding;
+  finding.slides.resize(f.slide_count);
+  f.slides = finding.slides.empty() ? nullptr : finding.slides.data();
+  f.slide_capacity = f.slide_count;
+  call(&f);
+  if (f.message != nullptr) finding.sentence = f.message;
+  if (f.has_point == 1) finding.place = std::to_array(f.point);
+  return finding;
+}
+
 Measures read_measures(const std::function<void(cgw_measures*)>& call) {
   Measures measures = CGW_MEASURES_INIT;
   for (double* figure = &measures.volume_ratio; figure <= &measures.worst_twist; ++figure) {

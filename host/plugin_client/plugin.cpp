@@ -71,6 +71,10 @@ std::shared_ptr<const Plugin> Plugin::load(const std::filesystem::path& path) {
   return std::shared_ptr<const Plugin>(new Plugin(path, std::move(library), api));
 }
 
+bool Plugin::has_findings() const {
+  return api_->struct_size >= offsetof(cgw_api, get_finding) + sizeof(api_->get_finding);
+}
+
 bool Plugin::has_slide_fit() const { return api_->struct_size >= needed_size + sizeof(api_->slide_fit); }
 
 std::string Plugin::version() const { return text_or_empty(api_->version); }

@@ -28,9 +28,10 @@ class Plugin {
   // Opens `path`, looks up the entry point and checks the ABI. Throws PluginLoadError.
   static std::shared_ptr<const Plugin> load(const std::filesystem::path& path);
 
-  // What a plug-in of an earlier minor version than 1.3 does not have is not there: see has_slide_fit.
+  // What a plug-in of an earlier minor version than 1.3 does not have is not there: see has_slide_fit and has_findings.
   const cgw_api& api() const { return *api_; }
   bool has_slide_fit() const;  // since 1.3
+  bool has_findings() const;   // since 1.5
   const std::filesystem::path& path() const { return path_; }
   std::string version() const;
   // Of a call or a slide: "ok", "unsolved", "slides_touch" ...

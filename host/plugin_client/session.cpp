@@ -114,8 +114,16 @@ cgw_summary Session::summary() const {
 }
 
 Certificate Session::certificate() const {
-  return read_certificate(
-      [this](cgw_certificate* out) { check(api().get_certificate(session_, out), "get_certificate"); });
+  std::uint64_t findings = 0;
+  Certificate certificate = read_certificate([&](cgw_certificate* out) {
+    check(api().get_certificate(session_, out), "get_certificate");
+    findings = out->finding_count;
+  });
+  if (!plugin_->has_findings()) return certificate;
+  for (std::uint64_t i = 0; i < findings; ++i)
+    certificate.findings.push_back(
+        read_finding([&](cgw_finding* out) { check(api().get_finding(session_, i, out), "get_finding"); }));
+  return certificate;
 }
 
 Measures Session::measures() const {

@@ -323,6 +323,16 @@ cgw_status fill_certificate(cgw_certificate* out) {
   }
   if (crosses && out->outside_vertices != nullptr) out->outside_vertices[0] = 5;
   out->message = crosses ? "move slide 'a'" : "";
+  if (out->struct_size >= sizeof(cgw_certificate)) out->finding_count = crosses ? 2 : 0;
+  return CGW_OK;
+}
+
+cgw_status get_finding(const cgw_session*, uint64_t index, cgw_finding* out) {
+  out->message = index == 0 ? "move slide 'a'" : "add one";
+  out->has_point = index == 1;
+  if (index == 1) out->point[2] = 2.5;
+  out->slide_count = index == 0 ? 1 : 0;
+  if (index == 0 && out->slides != nullptr) out->slides[0] = 1;
   return CGW_OK;
 }
 cgw_status get_certificate(const cgw_session*, cgw_certificate* out) { return fill_certificate(out); }
@@ -396,12 +406,14 @@ extern "C" __attribute__((visibility("default"))) const cgw_api* cgw_get_api_v1(
                         evaluation_destroy,
                         evaluation_certificate,
                         evaluation_measures,
-                        slide_fit};
+                        slide_fit,
+                        get_finding};
   if (asked("null_table")) return nullptr;
   constexpr std::size_t size_of_1_2 = offsetof(cgw_api, slide_fit);
   api.struct_size = asked("small_table") ? size_of_1_2 - sizeof(void*) : asked("older") ? size_of_1_2 : sizeof(cgw_api);
   api.abi_minor = asked("older") ? 2 : CGW_ABI_MINOR;
   api.slide_fit = asked("older") ? nullptr : slide_fit;
+  api.get_finding = asked("older") ? nullptr : get_finding;
   api.abi_major = asked("other_major") ? 2 : CGW_ABI_MAJOR;
   api.load_state = asked("gaps") ? nullptr : load_state;
   return &api;

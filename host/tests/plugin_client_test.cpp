@@ -54,12 +54,34 @@ TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
   expect_load_error("/proc/self/maps", {"cannot be loaded"});
   expect_load_error("/lib/x86_64-linux-gnu/libm.so.6", {"no plug-in", CGW_ENTRY_POINT});
   const std::string other_major = "has ABI 2." + std::to_string(CGW_ABI_MINOR);
-  for (const auto& [what, reason] :
-       {std::pair{"null_table", "does not serve ABI 1.4"}, std::pair{"small_table", "bytes"},
-        std::pair{"other_major", other_major.c_str()}, std::pair{"gaps", "has gaps"}}) {
+  const std::string not_served = "does not serve ABI 1." + std::to_string(CGW_ABI_MINOR);
+  for (const auto& [what, reason] : {std::pair{"null_table", not_served.c_str()}, std::pair{"small_table", "bytes"},
+                                     std::pair{"other_major", other_major.c_str()}, std::pair{"gaps", "has gaps"}}) {
     const Environment environment("CAGEWRIGHT_FAKE", what);
     expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});
     EXPECT_FALSE(is_loaded()) << what;
+  }
+}
+
+TEST(Session, CertificateListsItsFindingsWhereThePluginDoes) {
+  for (const bool is_older : {false, true}) {
+    const Environment environment("CAGEWRIGHT_FAKE", is_older ? "older,crossing" : "crossing");
+    Session session(fake(), {});
+    session.set_mesh(unit_cube());
+    session.solve(1);
+    const Certificate certificate = session.certificate();
+    EXPECT_EQ(certificate.message, "move slide 'a'");
+    if (is_older) {
+      EXPECT_TRUE(certificate.findings.empty());
+      continue;
+    }
+    ASSERT_EQ(certificate.findings.size(), 2U);
+    EXPECT_EQ(certificate.findings[0].sentence, "move slide 'a'");
+    EXPECT_EQ(certificate.findings[0].slides, std::vector<std::uint64_t>{1});
+    EXPECT_FALSE(certificate.findings[0].place);
+    EXPECT_EQ(certificate.findings[1].sentence, "add one");
+    EXPECT_TRUE(certificate.findings[1].slides.empty());
+    EXPECT_EQ(certificate.findings[1].place, (std::array<double, 3>{0, 0, 2.5}));
   }
 }
 

@@ -39,6 +39,7 @@ struct CageState {
   TriangleMesh cut_model;                    // and its parts: for colours; empty while editing
   std::vector<int> cut_model_parts;          // of each of its triangles
   std::optional<Certificate> certificate;    // where the whole road was gone
+  std::vector<Problem> findings;             // the certificate's, with the document's slides
   std::optional<Measures> measures;
   cgw_summary summary = CGW_SUMMARY_INIT;
   std::vector<double> max_signed_distances;     // before each refinement step and, last, of the cage; over the diagonal

@@ -34,6 +34,16 @@ void read_sections(const Session& session, const SolveRequest& request, CageStat
   }
 }
 
+void read_findings(const Session& session, const SolveRequest& request, CageState& state) {
+  const auto ids = ids_of(session.slides(), request);
+  for (const Finding& finding : state.certificate->findings) {
+    Problem problem{finding.sentence, {}, finding.place};
+    for (const std::uint64_t id : finding.slides)
+      if (const auto found = ids.find(id); found != ids.end()) problem.slides.push_back(found->second);
+    state.findings.push_back(std::move(problem));
+  }
+}
+
 bool names(const std::string& sentence, const std::string& slide) {
   return sentence.find("'" + slide + "'") != std::string::npos;
 }
@@ -46,6 +56,16 @@ Problem problem_of(const SlideInfo& slide, const SolveRequest& request) {
     problem.slides.push_back(id);
     if (const auto* ellipse = std::get_if<Slide::Ellipse>(&asked.shape); ellipse && asked.name == slide.name)
       problem.place = ellipse->center;
+  }
+  return problem;
+}
+
+// The one that stands for all findings, of a plug-in that does not list them.
+Problem problem_of_message(const std::string& message, const SolveRequest& request) {
+  Problem problem{message, {}, {}};
+  if (message.empty()) problem.sentence = "the cage does not enclose the model: add slides or move them";
+  for (const auto& [id, slide] : request.slides) {
+    if (names(message, slide.name)) problem.slides.push_back(id);
   }
   return problem;
 }
@@ -65,6 +85,7 @@ CageState read_cage_state(const Plugin& plugin, const Session& session, const So
   state.cut_model = std::move(cut.mesh);
   state.cut_model_parts = std::move(cut.triangle_part);
   state.certificate = session.certificate();
+  read_findings(session, request, state);
   state.measures = session.measures();
   state.report = std::make_shared<Report>(
       describe_run({{"threads", std::int64_t{0}}}, plugin, session, state.cage, plugin.inspect(state.cage)));
@@ -112,20 +133,20 @@ std::vector<Problem> problems_of(const PluginError& error, const Session* sessio
 std::vector<Problem> problems_of(const CageState& state, const SolveRequest& request) {
   const bool was_asked_for = state.summary.last_stage >= CGW_STAGE_ENCLOSE;
   if (!state.certificate || !was_asked_for) return {};
-  Problem problem{state.certificate->message, {}, {}};
-  problem.is_advice = state.certificate->encloses && state.certificate->keeps_distance;
-  if (problem.is_advice && problem.sentence.empty()) return {};
-  if (problem.sentence.empty()) problem.sentence = "the cage does not enclose the model: add slides or move them";
-  for (const auto& [id, slide] : request.slides) {
-    if (names(problem.sentence, slide.name)) problem.slides.push_back(id);
-  }
-  problem.sentence = without_echo(std::move(problem.sentence));
-  if (!state.certificate->vertices_outside.empty() && request.mesh) {
-    const std::size_t row = 3 * std::size_t{state.certificate->vertices_outside.front()};
+  const Certificate& certificate = *state.certificate;
+  const bool is_advice = certificate.encloses && certificate.keeps_distance;
+  std::vector<Problem> problems = state.findings;
+  if (problems.empty() && !(is_advice && certificate.message.empty()))
+    problems.push_back(problem_of_message(certificate.message, request));
+  for (Problem& problem : problems) {
+    problem.is_advice = is_advice;
+    problem.sentence = without_echo(std::move(problem.sentence));
+    if (problem.place || certificate.vertices_outside.empty() || !request.mesh) continue;
+    const std::size_t row = 3 * std::size_t{certificate.vertices_outside.front()};
     const std::vector<double>& points = request.mesh->points;
     if (row + 2 < points.size()) problem.place = Point3{points[row], points[row + 1], points[row + 2]};
   }
-  return {problem};
+  return problems;
 }
 
 }  // namespace cagewright::host

@@ -185,6 +185,14 @@ cgw_status get_certificate(const cgw_session* session, cgw_certificate* out) {
   });
 }
 
+cgw_status get_finding(const cgw_session* session, std::uint64_t index, cgw_finding* out) {
+  return guard_session(session, [&](const cgw_session& s) {
+    common_size(out, "cgw_finding");
+    const CageCertificate& certificate = certificate_of(s);
+    read_finding(certificate, s.results->slide_ids, index, out);
+  });
+}
+
 cgw_status get_measures(const cgw_session* session, cgw_measures* out) {
   return guard_session(session, [&](const cgw_session& s) {
     common_size(out, "cgw_measures");
@@ -257,6 +265,7 @@ constexpr cgw_api api = {
     .evaluation_certificate = evaluation_certificate,
     .evaluation_measures = evaluation_measures,
     .slide_fit = slide_fit,
+    .get_finding = get_finding,
 };
 
 }  // namespace

@@ -16,6 +16,15 @@ namespace cagewright::plugin {
   throw AbiError(CGW_ERROR_NOT_READY, "there is no " + what + " yet; solve up to the stage that makes it");
 }
 
+// Throws AbiError(INVALID_ARGUMENT).
+inline void check_index(std::uint64_t index, std::uint64_t count, const char* what) {
+  if (index >= count) {
+    throw AbiError(CGW_ERROR_INVALID_ARGUMENT, "there is no " + std::string(what) + " at index " +
+                                                   std::to_string(index) + "; the last solve made " +
+                                                   std::to_string(count));
+  }
+}
+
 // Throws AbiError(BUFFER_TOO_SMALL).
 inline void check_room(const void* buffer, std::uint64_t capacity, std::uint64_t count, const char* what) {
   if (buffer && capacity < count) {

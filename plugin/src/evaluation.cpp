@@ -94,7 +94,7 @@ const CageCertificate& certificate_of(const cgw_session& session) {
   const Model& model = model_of(session);
   CageCertificate certificate;
   if (const auto& enclosure = results.made.enclosure) {
-    certificate = {enclosure->certificate, enclosure->keeps_delta, enclosure->shortfall};
+    certificate = {enclosure->certificate, enclosure->keeps_delta, enclosure->shortfall, enclosure->findings};
   } else {
     certificate.found = certify(to_indexed_mesh(model.mesh), {results.made.cage->points, results.made.cage->triangles},
                                 results.threads);
@@ -129,6 +129,7 @@ void read_certificate(const CageCertificate& certificate, cgw_certificate* out) 
   c.model_intersection_count = found.model_cage_intersections.size();
   c.outside_count = found.vertices_outside.size();
   c.message = certificate.message.c_str();
+  c.finding_count = certificate.findings.size();
   write_struct(out, c, "cgw_certificate");
   check_room(c.degenerate_triangles, c.degenerate_capacity, c.degenerate_count, "degenerate triangles");
   check_room(c.self_intersections, c.self_intersection_capacity, c.self_intersection_count, "self-intersections");
@@ -138,6 +139,22 @@ void read_certificate(const CageCertificate& certificate, cgw_certificate* out) 
   copy_pairs(found.self_intersections, c.self_intersections);
   copy_pairs(found.model_cage_intersections, c.model_intersections);
   copy_list(found.vertices_outside, c.outside_vertices);
+}
+
+void read_finding(const CageCertificate& certificate, const std::vector<std::uint64_t>& slide_ids, std::uint64_t index,
+                  cgw_finding* out) {
+  cgw_finding f = read_struct<cgw_finding>(out, CGW_FINDING_INIT, "cgw_finding");
+  check_index(index, certificate.findings.size(), "finding");
+  const Finding& finding = certificate.findings[index];
+  f.has_point = finding.place.has_value();
+  for (int axis = 0; axis < 3; ++axis) f.point[axis] = finding.place ? (*finding.place)(axis) : 0;
+  f.message = finding.sentence.c_str();
+  f.slide_count = finding.slides.size();
+  write_struct(out, f, "cgw_finding");
+  check_room(f.slides, f.slide_capacity, f.slide_count, "slides");
+  std::vector<std::uint64_t> ids;
+  for (const int slide : finding.slides) ids.push_back(slide_ids[static_cast<std::size_t>(slide)]);
+  copy_list(ids, f.slides);
 }
 
 void read_measures(const CageFigures& figures, cgw_measures* out) {

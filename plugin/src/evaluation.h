@@ -8,6 +8,7 @@
 
 #include "cagewright/cagewright.h"
 #include "core/enclose/certificate.h"
+#include "core/enclose/finding.h"
 #include "core/measure/measure_cage.h"
 #include "core/measure/section_quality.h"
 
@@ -19,6 +20,7 @@ struct CageCertificate {
   Certificate found;
   bool keeps_distance = false;
   std::string message;
+  std::vector<Finding> findings;  // its sentences; slides by their places among those of the solve
 };
 
 struct CageFigures {
@@ -46,6 +48,9 @@ const CageFigures& figures_of(const cgw_session& session);
 
 // Throw AbiError: BUFFER_TOO_SMALL, INVALID_ARGUMENT.
 void read_certificate(const CageCertificate& certificate, cgw_certificate* out);
+// `slide_ids`: of the slides of the solve.
+void read_finding(const CageCertificate& certificate, const std::vector<std::uint64_t>& slide_ids, std::uint64_t index,
+                  cgw_finding* out);
 void read_measures(const CageFigures& figures, cgw_measures* out);
 
 }  // namespace cagewright::plugin

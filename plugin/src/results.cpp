@@ -17,14 +17,6 @@ const Results& results_of(const cgw_session& session, const char* what) {
   return *session.results;
 }
 
-void check_index(std::uint64_t index, std::uint64_t count, const char* what) {
-  if (index >= count) {
-    throw AbiError(CGW_ERROR_INVALID_ARGUMENT, "there is no " + std::string(what) + " at index " +
-                                                   std::to_string(index) + "; the last solve made " +
-                                                   std::to_string(count));
-  }
-}
-
 std::uint64_t rows(const auto& matrix) { return static_cast<std::uint64_t>(matrix.rows()); }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -24,6 +24,7 @@ TEST(AbiNull, SessionIsRefusedByEveryFunction) {
   const cgw_stream stream = CGW_STREAM_INIT;
   cgw_mesh_report report = CGW_MESH_REPORT_INIT;
   cgw_slide_info slide = CGW_SLIDE_INFO_INIT;
+  cgw_finding finding = CGW_FINDING_INIT;
   cgw_parts parts = CGW_PARTS_INIT;
   cgw_section section = CGW_SECTION_INIT;
   cgw_loop loop = CGW_LOOP_INIT;
@@ -42,6 +43,7 @@ TEST(AbiNull, SessionIsRefusedByEveryFunction) {
   EXPECT_REFUSED(a.slide_remove(nullptr, 1));
   EXPECT_REFUSED(a.slide_info(nullptr, 0, &slide));
   EXPECT_REFUSED(a.slide_fit(nullptr, &input, &slide));
+  EXPECT_REFUSED(a.get_finding(nullptr, 0, &finding));
   EXPECT_REFUSED(a.solve(nullptr, nullptr));
   EXPECT_REFUSED(a.get_parts(nullptr, &parts));
   EXPECT_REFUSED(a.get_section(nullptr, 0, &section));
@@ -66,6 +68,7 @@ TEST(AbiNull, ArgumentIsRefusedByEveryFunctionAndNamed) {
   const cgw_mesh view = mesh.view();
   const cgw_slide_input input = plane("a", 1);
   cgw_slide_info slide = CGW_SLIDE_INFO_INIT;
+  cgw_finding finding = CGW_FINDING_INIT;
   cgw_mesh_report report = CGW_MESH_REPORT_INIT;
   std::uint64_t id = 0;
   double value = 0;
@@ -89,6 +92,8 @@ TEST(AbiNull, ArgumentIsRefusedByEveryFunctionAndNamed) {
   EXPECT_REFUSED(a.slide_info(s, 0, nullptr));
   EXPECT_REFUSED(a.slide_fit(s, nullptr, &slide));
   EXPECT_REFUSED(a.slide_fit(s, &input, nullptr));
+  EXPECT_REFUSED(a.get_finding(s, 0, nullptr));
+  EXPECT_REFUSED(a.get_finding(s, 0, &finding)) << "there is none";
   EXPECT_REFUSED(a.get_parts(s, nullptr));
   EXPECT_REFUSED(a.get_section(s, 0, nullptr));
   EXPECT_REFUSED(a.get_loop(s, 0, nullptr));

@@ -57,6 +57,8 @@ void expect_everything_refused(cgw_session* session) {
   expect_refused(a.slide_change(session, 1, &input), "slide_change");
   expect_refused(a.slide_remove(session, 1), "slide_remove");
   expect_refused(a.slide_info(session, 0, &slide), "slide_info");
+  cgw_finding finding = CGW_FINDING_INIT;
+  expect_refused(a.get_finding(session, 0, &finding), "get_finding");
   expect_refused(a.solve(session, nullptr), "solve");
   expect_refused(a.get_cage(session, &cage), "get_cage");
   expect_refused(a.save_state(session, &nothing.stream), "save_state");

@@ -173,6 +173,54 @@ TEST(AbiCertificate, IsThatOfTheCageAsItIs) {
   for (const double value : cage.vertices) EXPECT_EQ(value, static_cast<double>(static_cast<float>(value)));
 }
 
+// The hole of the torus is narrower than the distance that is asked for.
+TEST(AbiFinding, IsASentenceOfTheMessageWithItsSlidesAndPlace) {
+  const SolvedCapsule solved;
+  cgw_certificate c = CGW_CERTIFICATE_INIT;
+  ASSERT_EQ(api().get_certificate(solved.session, &c), CGW_OK);
+  EXPECT_EQ(c.finding_count, 0u);
+  cgw_finding finding = CGW_FINDING_INIT;
+  EXPECT_EQ(api().get_finding(solved.session, 0, &finding), CGW_ERROR_INVALID_ARGUMENT);
+  EXPECT_NE(solved.session.error().find("there is no finding at index 0"), std::string::npos) << solved.session.error();
+
+  const Session session(torus());
+  const std::array<std::string, 3> names = {"one", "two", "three"};
+  std::array<std::uint64_t, 3> ids{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double angle = 2 + 2 * std::acos(-1.0) * static_cast<double>(k) / 3, x = std::cos(angle), y = std::sin(angle);
+    cgw_slide_input slide = plane(names[k].c_str(), 3 * x, -y, x);
+    slide.point[1] = 3 * y;
+    ASSERT_EQ(api().slide_add(session, &slide, &ids[k]), CGW_OK);
+  }
+  ASSERT_EQ(api().set_parameter(session, "refine.delta", 0.25), CGW_OK);
+  ASSERT_EQ(api().set_parameter(session, "enclose.merge", 0), CGW_OK);
+  ASSERT_EQ(api().solve(session, nullptr), CGW_OK) << session.error();
+  ASSERT_EQ(api().get_certificate(session, &c), CGW_OK);
+  ASSERT_GT(c.finding_count, 0u) << c.message;
+  std::string sentences;
+  for (std::uint64_t i = 0; i < c.finding_count; ++i) {
+    finding = CGW_FINDING_INIT;
+    ASSERT_EQ(api().get_finding(session, i, &finding), CGW_OK);
+    sentences += (i == 0 ? "" : "; ") + std::string(finding.message);
+    ASSERT_GT(finding.slide_count, 0u);
+    std::vector<std::uint64_t> slides(finding.slide_count);
+    finding.slides = slides.data();
+    finding.slide_capacity = finding.slide_count - 1;
+    EXPECT_EQ(api().get_finding(session, i, &finding), CGW_ERROR_BUFFER_TOO_SMALL);
+    finding.slide_capacity = finding.slide_count;
+    ASSERT_EQ(api().get_finding(session, i, &finding), CGW_OK);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(std::count(slides.begin(), slides.end(), ids[k]),
+                std::string(finding.message).find("'" + names[k] + "'") != std::string::npos);
+    if (i > 0) continue;
+    EXPECT_NE(std::string(finding.message).find("not with the distance asked for"), std::string::npos);
+    ASSERT_EQ(finding.has_point, 1u);
+    EXPECT_LT(std::hypot(finding.point[0], finding.point[1]), 3) << "it is in the hole";
+  }
+  EXPECT_EQ(sentences, c.message);
+  EXPECT_EQ(api().get_finding(session, c.finding_count, &finding), CGW_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(AbiMeasures, KnowTheSectionsOfASession) {
   const SolvedCapsule solved;
   cgw_measures m = CGW_MEASURES_INIT;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What was released must not move: the numbers, and the layout of every struct of ABI 1.4 on 64-bit machines.
+// What was released must not move: the numbers, and the layout of every struct of ABI 1.5 on 64-bit machines.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using cagewright::plugin::test::api;
 
-static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 4);
+static_assert(CGW_ABI_MAJOR == 1 && CGW_ABI_MINOR == 5);
 static_assert(CGW_OK == 0 && CGW_CANCELLED == 1 && CGW_SLIDE_UNSOLVED == 2);
 static_assert(CGW_ERROR_INTERNAL == -1 && CGW_ERROR_INVALID_ARGUMENT == -2 && CGW_ERROR_OUT_OF_MEMORY == -3);
 static_assert(CGW_ERROR_BUFFER_TOO_SMALL == -4 && CGW_ERROR_NOT_READY == -5 && CGW_ERROR_UNKNOWN_SLIDE == -6);
@@ -197,7 +197,7 @@ AT(cgw_summary, extent, 80);
 AT(cgw_summary, enclose_ms, 88);
 AT(cgw_summary, certified, 96);
 AT(cgw_summary, merged, 100);
-SIZE(cgw_certificate, 120);
+SIZE(cgw_certificate, 128);
 AT(cgw_certificate, encloses, 4);
 AT(cgw_certificate, closed, 8);
 AT(cgw_certificate, keeps_distance, 12);
@@ -214,6 +214,14 @@ AT(cgw_certificate, model_intersection_capacity, 88);
 AT(cgw_certificate, outside_vertices, 96);
 AT(cgw_certificate, outside_capacity, 104);
 AT(cgw_certificate, message, 112);
+AT(cgw_certificate, finding_count, 120);
+SIZE(cgw_finding, 64);
+AT(cgw_finding, has_point, 4);
+AT(cgw_finding, point, 8);
+AT(cgw_finding, message, 32);
+AT(cgw_finding, slide_count, 40);
+AT(cgw_finding, slides, 48);
+AT(cgw_finding, slide_capacity, 56);
 SIZE(cgw_measures, 176);
 AT(cgw_measures, reserved, 4);
 AT(cgw_measures, volume_ratio, 8);
@@ -242,7 +250,7 @@ AT(cgw_stream, reserved, 4);
 AT(cgw_stream, user, 8);
 AT(cgw_stream, read, 16);
 AT(cgw_stream, write, 24);
-SIZE(cgw_api, 312);
+SIZE(cgw_api, 320);
 AT(cgw_api, abi_major, 4);
 AT(cgw_api, abi_minor, 8);
 AT(cgw_api, parameter_count, 12);
@@ -283,11 +291,12 @@ AT(cgw_api, evaluation_destroy, 280);
 AT(cgw_api, evaluation_certificate, 288);
 AT(cgw_api, evaluation_measures, 296);
 AT(cgw_api, slide_fit, 304);
+AT(cgw_api, get_finding, 312);
 
 TEST(AbiTable, TellsItsSizeAndVersion) {
   EXPECT_EQ(api().struct_size, sizeof(cgw_api));
   EXPECT_EQ(api().abi_major, 1u);
-  EXPECT_EQ(api().abi_minor, 4u);
+  EXPECT_EQ(api().abi_minor, 5u);
   EXPECT_STREQ(api().version, CAGEWRIGHT_VERSION);
 }
 

@@ -305,6 +305,29 @@ class Outliner(WindowTest):
         window.key('Home')  # leads nowhere: shows where one is
         shows(first, False)
 
+    def test_each_kind_of_advice_is_a_problem_of_its_own_and_a_click_shows_its_slide_and_place(self):
+        window = self.open('biped.off')
+        window.settle()
+        window.run('add_slide', name='shin', point=[0.138, 0.3, 0.05])
+        window.run('add_slide', name='tilted', center=[0.02, 1.2, 0], u=[0.4, 0.25, 0], v=[0, 0, 0.3])
+        window.settle()
+        planes, size = window.run('wait')['problems']
+        self.assertIn("the slides 'shin' could not stay in their planes", planes['sentence'])
+        self.assertIn("times as large as the model", size['sentence'])
+        self.assertIn("farthest near 'tilted'", size['sentence'])
+        self.assertTrue(planes['is_advice'] and size['is_advice'])
+        rows = window.where(widget='problems')['rows']
+        self.assertEqual([row['texts'][0] for row in rows], [planes['sentence'], size['sentence']])
+        for row, problem in zip(rows, (planes, size)):
+            window.click(row['x'], row['y'])
+            window.wait_until(lambda s: s['selection'] == problem['slides'], 'its slide is selected')
+            time.sleep(0.5)
+            at = window.where(point=problem['place'])
+            x, y, width, height = window.view()
+            self.assertTrue(x < at['x'] < x + width and y < at['y'] < y + height, 'its place is in the view')
+            shot = window.shot('advice_' + problem['slides'][0])
+            self.assertGreater(shot.count((at['x'] - 30, at['y'] - 30, 60, 60), is_orange), 50)
+
     def test_a_slide_far_away_does_not_keep_the_model_from_being_framed(self):
         window = self.open()
         window.settle()

@@ -249,6 +249,24 @@ TEST_F(CageFollowsTest, WhatCouldBeBetterOfACertifiedCageIsAdviceAndNoFault) {
   EXPECT_FALSE(problems_of(state, request)[0].is_advice);
 }
 
+TEST_F(CageFollowsTest, EachFindingOfACertificateIsAProblemOfItsOwn) {
+  CageState state;
+  SolveRequest request;
+  request.slides = {{4, {"a", Slide::Ellipse{}}}, {5, {"b", Slide::Ellipse{}}}};
+  state.summary.last_stage = CGW_STAGE_ENCLOSE;
+  state.certificate = Certificate{};
+  state.certificate->encloses = state.certificate->keeps_distance = true;
+  state.certificate->message = "turn 'b'; add one";
+  state.findings = {{"turn 'b'", {5}, {}}, {"add one", {}, Point3{1, 2, 3}}};
+  const std::vector<Problem> problems = problems_of(state, request);
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0].sentence, "turn 'b'");
+  EXPECT_EQ(problems[0].slides, std::vector<std::int64_t>{5});
+  EXPECT_EQ(problems[1].sentence, "add one");
+  EXPECT_EQ(problems[1].place, (Point3{1, 2, 3}));
+  EXPECT_TRUE(problems[0].is_advice && problems[1].is_advice);
+}
+
 TEST_F(CageFollowsTest, AModelThatThePluginRefusesIsAProblemAndOpens) {
   TriangleMesh open_mesh = ellipsoid(8, 16);
   open_mesh.triangles.resize(open_mesh.triangles.size() - 3);

@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 #define CGW_ABI_MAJOR 1u
-#define CGW_ABI_MINOR 4u
+#define CGW_ABI_MINOR 5u
 #define CGW_ENTRY_POINT "cgw_get_api_v1"
 
 /* ---- status ---------------------------------------------------------------------------------------------------- */
@@ -427,9 +427,25 @@ typedef struct cgw_certificate {
   uint64_t outside_capacity;
   const char* message; /* "" or the sentence that names the slides at fault and what to do; lives until the next solve,
                           set_mesh or load_state, and as long as the session. "" for evaluations */
+  /* Since 1.5. */
+  uint64_t finding_count; /* set: what the message is made of, a sentence each: get_finding. 0 for evaluations */
 } cgw_certificate;
 #define CGW_CERTIFICATE_INIT \
-  { (uint32_t)sizeof(cgw_certificate), 0, 0, 0, 0, 0, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL }
+  { (uint32_t)sizeof(cgw_certificate), 0, 0, 0, 0, 0, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0 }
+
+/* One sentence of a certificate's message: what keeps the cage from enclosing the model, or could be better of it.
+   Since 1.5. */
+typedef struct cgw_finding {
+  uint32_t struct_size;
+  uint32_t has_point;   /* 1: a place is known */
+  double point[3];      /* of the model as it was given to set_mesh; 0 where none is known */
+  const char* message;  /* lives as long as that of the certificate */
+  uint64_t slide_count; /* set: slides that the sentence names */
+  uint64_t* slides;     /* slide_count ids, in the order of the slides, or NULL; those that are there no more, too */
+  uint64_t slide_capacity;
+} cgw_finding;
+#define CGW_FINDING_INIT \
+  { (uint32_t)sizeof(cgw_finding), 0, {0, 0, 0}, NULL, 0, NULL, 0 }
 
 /* How closely a cage fits and how well it is shaped. Lengths are fractions of the diagonal of the model's bounding box,
    angles are radians. What has no meaning is NaN: volume_ratio and coverage where a mesh is not closed, asymmetry where
@@ -577,6 +593,12 @@ typedef struct cgw_api {
      Nothing changes. Errors: NOT_READY (no mesh), and those of one slide (STROKE_*, SLIDE_*) but SLIDE_NAME, by
      id CGW_NO_ID. O(n). */
   cgw_status (*slide_fit)(const cgw_session* session, const cgw_slide_input* input, cgw_slide_info* out);
+
+  /* Since 1.5. */
+
+  /* [one-at-a-time] One of the certificate's finding_count. Errors: NOT_READY (no cage), INVALID_ARGUMENT (index),
+     BUFFER_TOO_SMALL. */
+  cgw_status (*get_finding)(const cgw_session* session, uint64_t index, cgw_finding* out);
 } cgw_api;
 
 /* [any-thread] The only exported symbol. host_minor: the CGW_ABI_MINOR that the host was compiled with. The table is

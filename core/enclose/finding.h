@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/enclose/clearance.h"
+#include "core/mesh/types.h"
+
+namespace cagewright {
+
+// What could be better of a cage, or keeps it from enclosing the model: one sentence, the slides that it names and,
+// where one is known, a place, model units.
+struct Finding {
+  std::string sentence;
+  std::vector<int> slides;  // ascending
+  std::optional<Vector3> place;
+};
+
+using SlidePairs = std::vector<std::pair<int, int>>;
+
+// The sentences of findings, divided by "; ".
+std::string sentences_of(const std::vector<Finding>& findings);
+
+// Names of slides in quotes, divided by commas.
+std::string quoted(const std::set<int>& slides, const std::vector<std::string>& names);
+
+// The cage keeps `kept` of the diagonal, which is less than was asked for; least at `place`.
+Finding too_near_finding(const TooNear& near, double kept, const Vector3& place, const std::vector<std::string>& names);
+// Sections that could not stay in the planes of their slides.
+Finding off_plane_finding(const std::set<int>& slides, const std::vector<std::string>& names);
+// The cage is `ratio` times as large as the model; it stands off farthest at `place`, near these slides.
+Finding too_large_finding(double ratio, const std::optional<Vector3>& place, const std::set<int>& slides,
+                          const std::vector<std::string>& names);
+// Limbs that were made one, by pairs of their slides.
+Finding merged_finding(const SlidePairs& limbs, const std::vector<std::string>& names);
+
+}  // namespace cagewright
