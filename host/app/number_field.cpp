@@ -59,7 +59,9 @@ void NumberField::resizeEvent(QResizeEvent* event) {
 }
 
 void NumberField::show(double value) {
-  if (!(isModified() && hasFocus())) set_value(value);
+  // What is shown already stays as it is: somebody may have selected it to type over it.
+  const bool is_shown = value == value_ && !isModified() && !text().isEmpty();
+  if (!is_shown && !(isModified() && hasFocus())) set_value(value);
 }
 
 // Escape is the field's while it has the keys; undo is the window's where nothing was typed.

@@ -74,7 +74,8 @@ void SlidePanel::show_slide() {
     state_->setText("Select a slide to see its numbers.");
     return;
   }
-  if (!name_->isModified() || !name_->hasFocus()) name_->setText(QString::fromStdString(shown->name));
+  const QString name = QString::fromStdString(shown->name);
+  if (name_->text() != name && !(name_->isModified() && name_->hasFocus())) name_->setText(name);
   Slide::Ellipse ellipse = shown->ellipse;
   for (const PreviewSlide& preview : editor_.workspace().preview())
     if (preview.id == shown->id) ellipse = preview.ellipse;

@@ -167,6 +167,22 @@ class Panels(WindowTest):
         self.type_into(window, 'slide_radii_0', '0.3')
         self.assertEqual(window.wait_until(lambda s: s['undo'], 'it is taken')['status'], '')
 
+    def test_a_cage_that_comes_in_leaves_what_is_selected_in_a_field_to_be_typed_over(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        for name, text in (('slide_centre_1', '1.08'), ('slide_name', 'belly')):
+            field = window.where(widget=name)
+            window.click(field['x'] + 10, field['y'] + field['height'] / 2)
+            window.key('ctrl+a')
+            window.run('solve')
+            window.settle()
+            window.type(text)
+            window.key('Return')
+            window.settle()
+        belly = next(slide for slide in window.state()['slides'] if slide['name'] == 'belly')
+        self.assertAlmostEqual(belly['center'][1], 1.08, 12)
+
     def test_a_parameter_that_is_refused_is_told_with_its_range(self):
         window = self.open()
         window.settle()
