@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The panels round the view: what is typed into them, and how much room they take.
+
+    python3 panels_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
+"""
+import shutil
+import tempfile
+import time
+
+from window_case import run_tests, setUpModule, tearDownModule, WindowTest
+
+
+class Panels(WindowTest):
+    scene = 'biped.glb'
+
+    def test_numbers_keep_their_exponent_and_tell_all_digits(self):
+        window = self.open()
+        window.settle()
+        window.run('change_slides', slides=[{'name': 'waist', 'center': [-4.78123456e-17, 1.08, -123456.789],
+                                              'u': [0.2, 0, 0], 'v': [0, 0, 0.2]}])
+        window.run('select', slides=['waist'])
+        field = window.where(widget='slide_centre_0')
+        self.assertRegex(field['text'], r'^-4\.\d+e-17$')
+        # The leftmost pixels within the frame are empty: nothing is cut off.
+        shot = window.shot('numbers')
+        inside = (field['x'] + 3, field['y'] + 5, field['width'] - 6, field['height'] - 10)
+        text = shot.count(inside, lambda r, g, b: min(r, g, b) > 150)
+        self.assertGreater(text, 20)
+        self.assertEqual(shot.count((*inside[:2], 2, inside[3]), lambda r, g, b: min(r, g, b) > 150), 0)
+        window.move(field['x'] + 20, field['y'] + 10)
+        time.sleep(1.2)
+        self.assertIn('-4.78123456e-17', window.where(widget='qtooltip_label')['text'])
+
+    def type_into(self, window, name, text, end='Return'):
+        field = window.where(widget=name)
+        window.click(field['x'] + 10, field['y'] + field['height'] / 2)
+        window.key('ctrl+a')
+        window.type(text) if text else window.key('Delete')
+        window.key(end)
+
+    def said(self, window, *words):
+        return window.wait_until(lambda s: all(word in s['status'] for word in words), ' '.join(words))
+
+    def test_a_number_that_is_refused_is_told_and_goes_back_to_what_it_was(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        before = window.where(widget='slide_radii_0')['text']
+        for text, words in (('0', ['"waist"', 'above 0', 'not 0']), ('-1', ['above 0', 'not -1']),
+                            ('wide', ['Radii 1: "wide" is no number, it stays 0.']),
+                            ('', ['Radii 1: nothing was typed', 'it stays 0.']),
+                            ('1e308', ['"waist"', 'finite'])):
+            with self.subTest(text):
+                self.type_into(window, 'slide_radii_0', text)
+                state = self.said(window, *words)
+                self.assertEqual(window.where(widget='slide_radii_0')['text'], before)
+                self.assertEqual(state['undo'], '')
+        window.shot('number_refused')
+        self.type_into(window, 'slide_name', '')
+        self.said(window, 'a slide needs a name')
+        self.assertEqual(window.where(widget='slide_name')['text'], 'waist')
+
+    def test_a_refusal_outlasts_the_click_that_ends_the_typing_but_not_the_next_number(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0', end='Tab')
+        self.said(window, 'above 0')
+        window.key('ctrl+a')  # of the next field
+        x, y, width, height = window.view()
+        window.type('x')
+        window.click(x + width / 2, y + 20)  # nothing is there: what is selected is let go
+        window.wait_until(lambda s: not s['selection'], 'nothing is selected')
+        self.said(window, 'Radii 2: "x" is no number')
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0.3')
+        self.assertEqual(window.wait_until(lambda s: s['undo'], 'it is taken')['status'], '')
+
+    def test_a_cage_that_comes_in_leaves_what_is_selected_in_a_field_to_be_typed_over(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        for name, text in (('slide_centre_1', '1.08'), ('slide_name', 'belly')):
+            field = window.where(widget=name)
+            window.click(field['x'] + 10, field['y'] + field['height'] / 2)
+            window.key('ctrl+a')
+            window.run('solve')
+            window.settle()
+            window.type(text)
+            window.key('Return')
+            window.settle()
+        belly = next(slide for slide in window.state()['slides'] if slide['name'] == 'belly')
+        self.assertAlmostEqual(belly['center'][1], 1.08, 12)
+
+    def test_a_parameter_that_is_refused_is_told_with_its_range(self):
+        window = self.open()
+        window.settle()
+        tabs = window.where(widget='tabs')
+        window.click(tabs['x'] + 75, tabs['y'] + 12)  # the second tab
+        before = window.where(widget='refine.delta')['text']
+        for text, words in (('-1', ['"refine.delta"', 'has to be from 0 to']), ('nan', ['is no number', 'it stays'])):
+            self.type_into(window, 'refine.delta', text)
+            self.assertEqual(self.said(window, *words)['undo'], '')
+            self.assertEqual(window.where(widget='refine.delta')['text'], before)
+        self.type_into(window, 'refine.iterations', '2.5')
+        self.said(window, '"refine.iterations"', 'a whole number')
+        window.shot('parameter_refused')
+
+    def test_the_report_is_as_wide_as_its_panel(self):
+        window = self.open()
+        window.settle()
+        dock, report = window.where(widget='report_dock'), window.where(widget='report')
+        scroll_bar = 10
+        self.assertLessEqual(report['x'] + report['width'], dock['x'] + dock['width'] - scroll_bar)
+
+
+class Sizes(WindowTest):
+    scene = 'biped.glb'
+    panels = ('outliner', 'problems', 'tabs', 'report')
+
+    def seen(self, window):
+        at = {name: window.where(widget=name) for name in self.panels}
+        return [name for name in self.panels if at[name]['x'] >= 0 and at[name]['y'] >= 0]  # hidden tabs are off the screen
+
+    def share(self, window):
+        """Of the window's width and height that the view has."""
+        whole, (x, y, width, height) = window.where(widget='main_window'), window.view()
+        return width / whole['width'], height / whole['height']
+
+    def test_the_view_has_half_of_a_window_that_is_small_or_large(self):
+        window = self.open()
+        window.settle()
+        for width, height in ((1400, 900), (700, 500), (1024, 768), (1200, 600), (660, 480), (1199, 599), (1400, 900)):
+            with self.subTest(width=width):
+                window.resize(width, height)
+                wide, high = self.share(window)
+                self.assertGreaterEqual(wide, 0.5)
+                self.assertGreaterEqual(high, 0.5)
+                window.shot('size_%d' % width)
+                if (width, height) in ((1400, 900), (1200, 600)):
+                    self.assertEqual(self.seen(window), list(self.panels))
+
+    def test_in_a_small_window_the_panels_are_tabs_that_can_be_clicked(self):
+        window = self.open()
+        window.settle()
+        window.resize(700, 500)
+        self.assertEqual(self.seen(window), ['outliner'])
+        opened = set()
+        for y in range(70, 450, 15):
+            window.click(8, y)
+            time.sleep(0.1)
+            opened.update(self.seen(window))
+            self.assertEqual(len(self.seen(window)), 1)
+        self.assertEqual(opened, set(self.panels))
+        window.shot('small_last_tab')
+
+    def test_a_window_that_was_closed_small_has_all_its_panels_when_it_is_large_again(self):
+        home = tempfile.mkdtemp(prefix='cagewright-home-')
+        self.addCleanup(shutil.rmtree, home, True)
+        window = self.open(home=home)
+        window.settle()
+        window.resize(700, 500)
+        window.focus('main_window')
+        window.key('ctrl+q')
+        self.assertEqual(window.process.wait(20), 0)
+        again = self.open(home=home)
+        again.settle()
+        self.assertEqual(again.where(widget='main_window')['width'], 700)
+        self.assertGreaterEqual(self.share(again)[0], 0.5)
+        again.resize(1400, 900)
+        self.assertEqual(self.seen(again), list(self.panels))
+        again.shot('large_again')
+
+
+if __name__ == '__main__':
+    run_tests()
