@@ -132,8 +132,8 @@ class Drawing(WindowTest):
         self.assertEqual(followed['slides'], [])
         self.assertGreater(window.shot('stroke').count(view, lambda r, g, b: r > 170 and g < 150 and b < 150), 20)
         window.release()
+        window.wait_until(lambda s: len(s['slides']) == 1, 'it is a slide')
         state = window.settle()
-        self.assertEqual(len(state['slides']), 1)
         self.assertTrue(state['cage']['certified'], state)
         # Round the shin: as thick as that, and across it.
         slide = state['slides'][0]
