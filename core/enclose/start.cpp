@@ -56,26 +56,25 @@ std::vector<Ring> find_rings(const MovableCage& movable, const std::vector<Secti
     rings.push_back(ring);
   }
   const Cage& cage = movable.cage();
-  for (std::size_t p = 0; p < segmentation.parts.size(); ++p) {
-    if (segmentation.parts[p].sections.size() != 1) continue;
-    std::vector<int> corners;
-    for (int t = 0; t < movable.triangle_count(); ++t)
-      for (int i = 0; i < 3; ++i)
-        if (const int v = movable.vertex_of(t, i);
-            cage.triangle_part[static_cast<std::size_t>(t)] == static_cast<int>(p) &&
-            cage.vertex_section[static_cast<std::size_t>(v)] < 0)
-          corners.push_back(v);
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    if (corners.size() != 4) continue;
+  std::vector<int> part_of(static_cast<std::size_t>(movable.vertex_count()), -1);
+  for (int t = 0; t < movable.triangle_count(); ++t)
+    for (int i = 0; i < 3; ++i)
+      part_of[static_cast<std::size_t>(movable.vertex_of(t, i))] = cage.triangle_part[static_cast<std::size_t>(t)];
+  // Caps come four corners each, but for boxes, of parts without sections.
+  for (int v = static_cast<int>(4 * sections.size()); v + 3 < movable.vertex_count(); v += 4) {
+    const auto part = static_cast<std::size_t>(part_of[static_cast<std::size_t>(v)]);
+    const std::vector<PartSection>& bounds = segmentation.parts[part].sections;
+    if (bounds.empty()) continue;
     Ring ring;
     Vector3 middle = Vector3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-      ring.vertices[i] = corners[i];
-      ring.at[0][i] = movable.point(corners[i]);
-      middle += ring.at[0][i] / 4;
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = static_cast<std::size_t>(i);
+      ring.vertices[corner] = v + i;
+      ring.at[0][corner] = movable.point(v + i);
+      middle += ring.at[0][corner] / 4;
     }
-    const Vector3 from = sections[static_cast<std::size_t>(segmentation.parts[p].sections[0].slide)].center;
+    const Vector3 from =
+        bounds.size() == 1 ? sections[static_cast<std::size_t>(bounds[0].slide)].center : cage.part_center[part];
     ring.at[1] = about(middle, ring.at[0], kept_cap);
     ring.at[2] = about(middle, ring.at[0], kept_end);
     for (Vector3& corner : ring.at[2]) corner += 0.3 * (from - middle);

@@ -36,25 +36,6 @@ std::pair<double, double> nearest_of_segments(const Vector3& p, const Vector3& q
   return {s, t};
 }
 
-Vector3 on_edge(std::size_t i, double share) {
-  Vector3 weights = Vector3::Zero();
-  weights[static_cast<Eigen::Index>(i)] = 1 - share;
-  weights[static_cast<Eigen::Index>((i + 1) % 3)] = share;
-  return weights;
-}
-
-// Whether the foot of the perpendicular from p is inside; then its barycentric coordinates.
-bool foot_inside(const Vector3& p, const Triangle3& t, Vector3& weights) {
-  const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  const double squared = normal.squaredNorm();
-  if (!(squared > 0)) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3& a = t[(i + 1) % 3];
-    weights[static_cast<Eigen::Index>(i)] = normal.dot((t[(i + 2) % 3] - a).cross(p - a)) / squared;
-  }
-  return weights.minCoeff() >= 0;
-}
-
 // Calls `visit(squared distance, weights)`, where weights() gives both points by barycentric coordinates, with every
 // pair of points that may be the nearest, until it returns true; whether it did.
 template <class Visit>
@@ -151,22 +132,6 @@ bool Prism::parts(const Triangle3& other, double distance) const {
     if (least - side_offsets_[i] > distance) return true;
   }
   return false;
-}
-
-Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t) {
-  Vector3 weights;
-  if (foot_inside(p, t, weights)) return weights;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 along = t[(i + 1) % 3] - t[i];
-    const double squared = along.squaredNorm();
-    const double share = squared > 0 ? std::clamp(along.dot(p - t[i]) / squared, 0.0, 1.0) : 0;
-    const double distance = (t[i] + share * along - p).squaredNorm();
-    if (distance >= least) continue;
-    least = distance;
-    weights = on_edge(i, share);
-  }
-  return weights;
 }
 
 NearestPoints nearest_points(const Triangle3& s, const Triangle3& t) {

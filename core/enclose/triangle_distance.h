@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/enclose/triangle_intersection.h"
+#include "core/mesh/triangle.h"
 
 namespace cagewright {
 
@@ -21,9 +21,6 @@ struct NearestPoints {
   Vector3 on_s, on_t;
 };
 NearestPoints nearest_points(const Triangle3& s, const Triangle3& t);
-
-// Barycentric coordinates of the point of t that is nearest to p.
-Vector3 nearest_on_triangle(const Vector3& p, const Triangle3& t);
 
 // Unit; zero for a triangle without area.
 Vector3 unit_normal(const Triangle3& t);
@@ -66,9 +63,5 @@ class Prism {
 
 // Whether the plane of t, of unit normal n, parts the two by more than `distance`.
 bool plane_parts(const Triangle3& t, const Vector3& n, const Triangle3& other, double distance);
-
-inline Vector3 at_barycentric(const Triangle3& t, const Vector3& weights) {
-  return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
-}
 
 }  // namespace cagewright

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-
-#include "core/mesh/types.h"
+#include "core/mesh/triangle.h"
 
 namespace cagewright {
-
-using Triangle3 = std::array<Vector3, 3>;
-
-// The corners of a mesh's triangle.
-inline Triangle3 triangle_of(const IndexedMesh& mesh, Eigen::Index t) {
-  const auto corners = mesh.triangles.row(t);
-  return {mesh.points.row(corners(0)), mesh.points.row(corners(1)), mesh.points.row(corners(2))};
-}
 
 // All tests are exact for all finite doubles (predicates.h), on closed sets: to touch is to meet. Thread-safe. O(1).
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
 // Every tolerance of the core, in one place. Lengths are relative to the diagonal of the model's bounding box.
 namespace cagewright::tolerance {
 
@@ -17,7 +19,10 @@ inline constexpr double into_surface = 1e-6;       // by which such a point is m
 inline constexpr double least_thickness = 1e-3;    // of a box round a flat part, over its diagonal
 inline constexpr double least_facing = 0.02;       // sine under which a centre sees a cage triangle, kept by refinement
 inline constexpr double kept_facing = 0.5;         // of that sine, by one step of refinement
-inline constexpr double least_cap = 0.1;  // side of a cap over its section's: a pointed part ends in a rectangle
+inline constexpr double least_cap = 0.1;        // side of a cap over its section's: a pointed part ends in a rectangle
+inline constexpr double far_of_sections = 1.5;  // a limb reaches so far beyond them, over their half side,
+inline constexpr double far_of_hull = 0.1;      // and beyond the hull of what bounds its part, over the hull's size
+inline constexpr std::size_t most_limb_caps = 6;  // of one part
 inline constexpr double least_visibility = 1e-6;  // sine under which a part's centre has to see what bounds it
 inline constexpr double on_plane = 1e-9;  // a vertex this near to a slide's plane, as those of its loop, lies on it
 inline constexpr double smallest_anchor_distance = 1e-6;  // bounds the weights of (8)

@@ -24,11 +24,18 @@ inline int corner_as_seen(bool along_normal, int i) { return along_normal ? i : 
 // All that bounds a part.
 struct Bounds {
   std::vector<Bound> list;
+  std::vector<Vector3> free_corners;  // of its limb caps: the cage has vertices there, their edges are any
+  std::vector<Vector3> corners() const {
+    std::vector<Vector3> all;
+    for (const Bound& bound : list) all.insert(all.end(), bound.corners.begin(), bound.corners.end());
+    all.insert(all.end(), free_corners.begin(), free_corners.end());
+    return all;
+  }
   Vector3 mean() const {
     Vector3 sum = Vector3::Zero();
-    for (const Bound& bound : list)
-      for (const Vector3& corner : bound.corners) sum += corner;
-    return sum / static_cast<double>(4 * list.size());
+    const std::vector<Vector3> all = corners();
+    for (const Vector3& corner : all) sum += corner;
+    return sum / static_cast<double>(all.size());
   }
 };
 

@@ -10,7 +10,7 @@ namespace cagewright {
 
 // The sections of a part, for the normals of the triangles that fill them.
 struct SectionNormals {
-  std::map<int, int> section_of;  // corner -> section
+  std::map<int, int> section_of;  // corner -> section; a negative number of its own where it has none
   std::vector<Vector3> outward;   // of each section, unit
 };
 

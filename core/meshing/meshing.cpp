@@ -8,6 +8,7 @@
 #include "core/meshing/bound.h"
 #include "core/meshing/cap.h"
 #include "core/meshing/flip.h"
+#include "core/meshing/limb_caps.h"
 #include "core/meshing/projection_center.h"
 #include "core/meshing/spherical_triangulation.h"
 
@@ -98,24 +99,43 @@ class CageBuilder {
     return bounds;
   }
 
+  // What bounds the part, with as many of its limbs' caps as a centre sees beside its sections; and that centre.
+  std::pair<Bounds, Vector3> seen_bounds(std::size_t index) {
+    const Part& part = segmentation_.parts[index];
+    const Bounds bounds = bounds_of(part);
+    std::vector<SectionFrame> sections;
+    for (const PartSection& side : part.sections) sections.push_back(sections_[static_cast<std::size_t>(side.slide)]);
+    for (auto caps = limb_caps(segmentation_.cut.points, part, bounds.corners(), sections); !caps.empty();
+         caps.pop_back()) {
+      Bounds capped = bounds;
+      for (const CapCorners& cap : caps) capped.free_corners.insert(capped.free_corners.end(), cap.begin(), cap.end());
+      if (const auto center = find_projection_center(capped)) return {capped, *center};
+    }
+    return {bounds, projection_center(bounds, index, names_)};
+  }
+
   // Triangulates the part on a sphere and takes over what is not inside a section.
   void add_meshed(std::size_t index) {
-    const Bounds bounds = bounds_of(segmentation_.parts[index]);
-    const Vector3 center = projection_center(bounds, index, names_);
+    const auto [bounds, center] = seen_bounds(index);
     cage_.part_center.back() = center;
 
-    std::vector<Vector3> corners;
+    const std::vector<Vector3> corners = bounds.corners();
+    std::vector<int> vertices;  // of the cage, by corner
     std::vector<Edge> section_edges;
     SectionNormals normals;
     for (std::size_t i = 0; i < bounds.list.size(); ++i) {
       const int first = static_cast<int>(4 * i);
       const Bound& bound = bounds.list[i];
-      corners.insert(corners.end(), bound.corners.begin(), bound.corners.end());
+      vertices.insert(vertices.end(), bound.vertices.begin(), bound.vertices.end());
       normals.outward.push_back(bound.outward);
       for (int c = 0; c < 4; ++c) {
         section_edges.emplace_back(std::minmax(first + c, first + (c + 1) % 4));
         normals.section_of[first + c] = static_cast<int>(i);
       }
+    }
+    for (const Vector3& corner : bounds.free_corners) {
+      normals.section_of[static_cast<int>(vertices.size())] = -1 - static_cast<int>(vertices.size());
+      vertices.push_back(add_point(corner, -1));
     }
     SphericalTriangulation triangulation(corners, center);
     const std::set<Edge> fixed(section_edges.begin(), section_edges.end());
@@ -127,12 +147,10 @@ class CageBuilder {
     for (auto& t : walls) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     std::sort(walls.begin(), walls.end());
     for (const auto& [a, b, c] : walls) {
-      const auto bound_a = static_cast<std::size_t>(a / 4);
-      const bool inside_bound = a / 4 == b / 4 && a / 4 == c / 4;
-      if (inside_bound && bounds.list[bound_a].slide >= 0) continue;
-      const auto vertex = [&](int i) {
-        return bounds.list[static_cast<std::size_t>(i / 4)].vertices[static_cast<std::size_t>(i % 4)];
-      };
+      const int section = normals.section_of.at(a);
+      const bool is_inside = section == normals.section_of.at(b) && section == normals.section_of.at(c);
+      if (is_inside && bounds.list[static_cast<std::size_t>(section)].slide >= 0) continue;
+      const auto vertex = [&vertices = vertices](int i) { return vertices[static_cast<std::size_t>(i)]; };
       add_triangle(vertex(a), vertex(b), vertex(c), index);
     }
   }

@@ -44,6 +44,13 @@ double separation(const Cone& cone, const Cone& other) {
   return best;
 }
 
+// The same for a single direction.
+double separation(const Cone& cone, const Vector3& direction) {
+  double best = -1;
+  for (const Vector3& inward : cone.inward) best = std::max(best, -inward.dot(direction));
+  return best;
+}
+
 double gap_between(const Cone& one, const Cone& two) { return std::max(separation(one, two), separation(two, one)); }
 
 // The least sine at which the centre sees a corner above the bound's plane; negative from behind.
@@ -55,10 +62,8 @@ double facing(const Bound& bound, const Vector3& center) {
 
 class Visibility {
  public:
-  explicit Visibility(const Bounds& bounds) : bounds_(bounds) {
-    for (const Bound& bound : bounds.list) corners_.insert(corners_.end(), bound.corners.begin(), bound.corners.end());
-    hull_ = hull_planes(corners_);
-  }
+  explicit Visibility(const Bounds& bounds)
+      : bounds_(bounds), corners_(bounds.corners()), hull_(hull_planes(corners_)) {}
 
   // The visibility of projection_center.h; where it is at most `least`, any number that is at most `least`, found
   // sooner.
@@ -72,6 +77,8 @@ class Visibility {
     for (const Bound& bound : bounds_.list) cones.push_back(cone_of(bound, center));
     for (std::size_t i = 0; i < cones.size() && worst > least; ++i)
       for (std::size_t j = i + 1; j < cones.size(); ++j) worst = std::min(worst, gap_between(cones[i], cones[j]));
+    for (const Vector3& corner : bounds_.free_corners)
+      for (const Cone& cone : cones) worst = std::min(worst, separation(cone, (corner - center).stableNormalized()));
     return worst;
   }
 
@@ -235,11 +242,8 @@ Culprits culprits_of(const Bounds& bounds, const Vector3& center, const std::vec
   return found;
 }
 
-}  // namespace
-
-double visibility(const Bounds& bounds, const Vector3& center) { return Visibility(bounds)(center); }
-
-Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names) {
+// Where visibility is greatest, as far as that is found.
+Vector3 best_center(const Bounds& bounds) {
   const Visibility visible(bounds);
   const Bound& first = bounds.list.front();
   Eigen::Matrix3d frame;
@@ -247,15 +251,16 @@ Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vec
   frame.col(2) = first.outward;
   frame.col(1) = frame.col(2).cross(frame.col(0));
   double reach = 0;
-  for (const Bound& bound : bounds.list)
-    for (const Vector3& corner : bound.corners) reach = std::max(reach, (corner - bounds.mean()).norm());
+  for (const Vector3& corner : bounds.corners()) reach = std::max(reach, (corner - bounds.mean()).norm());
   Vector3 center = climb(visible, bounds.mean(), reach / 2, frame);
   if (visible(center) <= tolerance::least_visibility) center = climb_from_bounds(visible, bounds, reach, frame, center);
-  if (visible(center) > tolerance::least_visibility) {
-    const Vector3 polished = polish(SmoothVisibility(bounds, visible.hull(), reach), center, reach);
-    return visible(polished) > tolerance::least_visibility ? polished : center;
-  }
+  if (visible(center) <= tolerance::least_visibility) return center;
+  const Vector3 polished = polish(SmoothVisibility(bounds, visible.hull(), reach), center, reach);
+  return visible(polished) > tolerance::least_visibility ? polished : center;
+}
 
+[[noreturn]] void fail_overlapping(const Bounds& bounds, const Vector3& center, std::size_t part,
+                                   const std::vector<std::string>& names) {
   const Culprits culprits = culprits_of(bounds, center, names);
   ErrorPlace place;
   place.part = part;
@@ -267,6 +272,22 @@ Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vec
                   " sees all its sections side by side from inside; from the best one, near " + to_text(center) + ", " +
                   culprits.fault + ": turn or move a slide there, or cut the part once more",
               place);
+}
+
+}  // namespace
+
+double visibility(const Bounds& bounds, const Vector3& center) { return Visibility(bounds)(center); }
+
+std::optional<Vector3> find_projection_center(const Bounds& bounds) {
+  const Vector3 center = best_center(bounds);
+  if (visibility(bounds, center) > tolerance::least_visibility) return center;
+  return {};
+}
+
+Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names) {
+  const Vector3 center = best_center(bounds);
+  if (visibility(bounds, center) > tolerance::least_visibility) return center;
+  fail_overlapping(bounds, center, part, names);
 }
 
 }  // namespace cagewright

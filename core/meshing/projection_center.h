@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace cagewright {
 
 // How well `center` sees the bounds of a part, in [-1, 1]: the least of
 // - the sine of the angle at which it sees any corner above that bound's plane, from inside;
-// - the sine of the angle between any two bounds as seen from it (negative: they overlap);
+// - the sine of the angle between any two bounds, or a bound and a free corner, as seen from it (negative: they
+// overlap);
 // - how far it lies inside the convex hull of all corners, over the distance to the farthest corner.
 // Positive: the bounds lie side by side on a sphere round it and the corners surround it. O(bounds^2).
 double visibility(const Bounds& bounds, const Vector3& center);
@@ -21,5 +23,8 @@ double visibility(const Bounds& bounds, const Vector3& center);
 // Throws Error(sections_overlap) where no point is found with a visibility above tolerance::least_visibility, as
 // between sections in one plane. O(bounds^2).
 Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names);
+
+// The same point, or nothing where that would throw.
+std::optional<Vector3> find_projection_center(const Bounds& bounds);
 
 }  // namespace cagewright

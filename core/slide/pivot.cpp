@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "core/enclose/triangle_distance.h"
 #include "core/error/error.h"
 #include "core/mesh/tolerance.h"
+#include "core/mesh/triangle.h"
 #include "core/slide/slide.h"
 
 namespace cagewright {

@@ -8,6 +8,7 @@
 
 #include "core/enclose/enclose.h"
 #include "core/enclose/triangle_distance.h"
+#include "core/enclose/triangle_intersection.h"
 #include "core/pipeline/pipeline.h"
 #include "core/tests/cage_checks.h"
 #include "core/tests/expect_error.h"

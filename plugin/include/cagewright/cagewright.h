@@ -283,7 +283,8 @@ typedef struct cgw_parts {
   int32_t* triangle_part; /* triangle_count, or NULL: the part of each triangle */
   uint64_t triangle_capacity;
   uint32_t* section_count; /* part_count, or NULL: how many slides bound the part. 0: its cage is its bounding box, or
-                              there is none (CGW_PART_ENCLOSED); 1: a leaf, its cage ends in a cap */
+                              there is none (CGW_PART_ENCLOSED); 1: a leaf, its cage ends in a cap.
+                              Limbs that no slide cuts off have caps, too */
   uint64_t part_capacity;  /* of section_count, part_flags and part_center */
   uint32_t* part_flags;    /* part_count, or NULL: sum of CGW_PART_* */
   double* part_center;     /* part_count x 3, or NULL: the projection centre of 3.3 (without slides: the middle of the
