@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLineLength = 60;  // characters
 constexpr int kFontSize = 13;
-constexpr double kGap = 10;  // pixels from the ellipse, and between labels
+constexpr double kGap = 10;           // pixels from the ellipse, and between labels
 constexpr int kOutlineSegments = 96;  // where it is near, some are still within the window
 
 bool has_label(const ShownSlide& slide) { return (slide.failed || slide.is_selected) && !slide.label.empty(); }
