@@ -6,11 +6,25 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "host/workspace/tilted_plane.h"
 
 namespace cagewright::host {
 namespace {
 
 using nlohmann::json;
+
+// Of a slide that is not in the plane that its stroke and the line of sight span.
+std::string tilt_text(const json& command, const SceneSlide& slide) {
+  const double tilt =
+      tilt_of(slide.ellipse, command["stroke"].get<std::vector<Point3>>(), command["line_of_sight"].get<Point3>());
+  constexpr double degree = std::numbers::pi / 180;
+  if (tilt < degree) return {};
+  return slide.name + " is tilted by " + std::to_string(std::lround(tilt / degree)) +
+         " degrees: the plane of the stroke itself cuts along the body";
+}
 
 // Across a limb that runs along the stroke's plane the loop is the limb's length, not its girth.
 std::string length_text(const json& stroke, const SceneSlide& slide) {
@@ -37,8 +51,11 @@ std::string done_text(const nlohmann::json& command, const Workspace& workspace)
   if (name == "export_cage") return "Exported the cage to " + file();
   if (name == "picture") return "Exported a picture to " + file();
   if (name == "turntable") return "Exported the frames of a turn to " + command.value("folder", "");
-  if (name == "add_slide" && command.contains("line_of_sight") && !workspace.slides().empty())
-    return length_text(command["stroke"], *workspace.slides().back());
+  if (name == "add_slide" && command.contains("line_of_sight") && !workspace.slides().empty()) {
+    const SceneSlide& added = *workspace.slides().back();
+    const std::string tilted = tilt_text(command, added);
+    return tilted.empty() ? length_text(command["stroke"], added) : tilted;
+  }
   return {};
 }
 

@@ -88,7 +88,8 @@ class Workspace {
 
   // ---- slides, one step of undo each. Names: empty asks for the next free "slide 1", "slide 2" ...
   std::int64_t add_slide(const Slide& slide);  // of any kind: fitted first; a stroke is kept with the slide
-  // A stroke on the surface and the line of sight (towards the model): the plane holds both, its loop is fitted.
+  // A stroke on the surface and the line of sight (towards the model): the plane holds both, or is tilted where that
+  // runs along the body (tilted_plane.h); its loop is fitted.
   std::int64_t add_slide_across(const std::vector<Point3>& stroke, const Point3& line_of_sight,
                                 const std::string& name = "");
   void extend_stroke(std::int64_t id, const std::vector<Point3>& points);  // adds to the stroke it has, fits again
@@ -103,7 +104,7 @@ class Workspace {
   void snap_slides(const std::vector<std::int64_t>& ids);  // the ellipse becomes that of the loop in its plane
   std::string copy_slides(const std::vector<std::int64_t>& ids) const;  // as the text of a slides file: ellipses
   std::vector<std::int64_t> paste_slides(const std::string& text);      // of one; throws FileError where it is none
-  // What one of the above would fit; for previews. Throws as they do.
+  // What one of the above would fit; for previews. Throws as they do. Of a stroke across, not tilted.
   Slide::Ellipse fit(const Slide& slide) const;
   Slide::Ellipse fit_across(const std::vector<Point3>& stroke, const Point3& line_of_sight) const;
 

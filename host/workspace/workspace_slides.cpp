@@ -7,6 +7,7 @@
 #include "host/file/file_error.h"
 #include "host/workspace/slide_geometry.h"
 #include "host/workspace/slide_names.h"
+#include "host/workspace/tilted_plane.h"
 #include "host/workspace/workspace_state.h"
 
 namespace cagewright::host {
@@ -94,7 +95,8 @@ std::int64_t Workspace::add_slide(const Slide& slide) {
 std::int64_t Workspace::add_slide_across(const std::vector<Point3>& stroke, const Point3& line_of_sight,
                                          const std::string& name) {
   static_cast<void>(state_->scene_with_mesh());
-  return add_slide({name, plane_across(stroke, line_of_sight)});
+  const auto fit_plane = [this](const Slide::PointNormal& plane) { return fit({"", plane}); };
+  return add_slide({name, tilted_plane(stroke, line_of_sight, fit_plane)});
 }
 
 void Workspace::extend_stroke(std::int64_t id, const std::vector<Point3>& points) {
