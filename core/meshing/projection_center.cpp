@@ -106,7 +106,8 @@ Vector3 climb(const Visibility& visibility, Vector3 point, double step, const Ei
   while (step > smallest) {
     Vector3 best = point;
     for (int code = 0; code < 27; ++code) {
-      const Vector3 direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      const int x = code % 3 - 1, y = code / 3 % 3 - 1, z = code / 9 - 1;
+      const Vector3 direction(x, y, z);
       const Vector3 candidate = point + step * (frame * direction);
       const double there = visibility(candidate, value + tolerance::tie);
       if (there <= value + tolerance::tie) continue;
@@ -279,9 +280,9 @@ Vector3 best_center(const Bounds& bounds) {
 double visibility(const Bounds& bounds, const Vector3& center) { return Visibility(bounds)(center); }
 
 std::optional<Vector3> find_projection_center(const Bounds& bounds) {
-  const Vector3 center = best_center(bounds);
-  if (visibility(bounds, center) > tolerance::least_visibility) return center;
-  return {};
+  std::optional<Vector3> center = best_center(bounds);
+  if (!(visibility(bounds, *center) > tolerance::least_visibility)) center.reset();
+  return center;
 }
 
 Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names) {
