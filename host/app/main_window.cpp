@@ -130,7 +130,6 @@ void MainWindow::update(WorkspaceChange change) {
       if (!editor_->workspace().preview().empty()) return;
       finish_first_run();
       [[fallthrough]];
-    case WorkspaceChange::mesh:
     case WorkspaceChange::parameters:
       show_title();
       show_undo();
@@ -138,7 +137,12 @@ void MainWindow::update(WorkspaceChange change) {
     case WorkspaceChange::selection:
       show_undo();
       break;
+    case WorkspaceChange::mesh:
+      show_title();
+      show_undo();
+      [[fallthrough]];
     case WorkspaceChange::plugin:
+      editor_->workspace().prepare_to_fit();
       break;
   }
   show_hint();

@@ -121,6 +121,13 @@ class MainWindow : public QMainWindow {
   void paste_slides();
   void record_script();
   void run_script();
+  struct ScriptLine {
+    int number = 0;
+    std::string text;
+  };
+  void run_lines(const std::vector<ScriptLine>& lines, const QString& name);
+  // False: it was cancelled before it ran. Throws what the command throws.
+  bool run_line(const std::string& line, const std::function<bool()>& is_cancelled);
   void validate();
   void show_shortcuts();
   void show_first_help();

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scripts that the window records and runs, and the validation.
 #include <QAction>
+#include <QApplication>
 #include <QFile>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QProgressDialog>
+#include <QTimer>
 #include <exception>
+#include <utility>
 
 #include "host/app/main_window.h"
 #include "host/app/validation_dialog.h"
+#include "host/plugin_client/plugin_error.h"
 
 namespace cagewright::host {
 namespace {
@@ -38,21 +43,64 @@ void MainWindow::run_script() {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly))
     return say_failure("The script cannot be read: " + file.errorString().toStdString());
-  int number = 0, count = 0;
-  while (!file.atEnd()) {
-    const QByteArray line = file.readLine().trimmed();
-    ++number;
-    if (line.isEmpty() || line.startsWith('#')) continue;
+  std::vector<ScriptLine> lines;
+  for (int number = 1; !file.atEnd(); ++number) {
+    std::string text = file.readLine().trimmed().toStdString();
+    if (!is_blank_script_line(text)) lines.push_back({number, std::move(text)});
+  }
+  run_lines(lines, name);
+}
+
+// Between two commands, and while one waits for the cage or draws frames, the box is painted and its button heard.
+void MainWindow::run_lines(const std::vector<ScriptLine>& lines, const QString& name) {
+  const std::string file = path_name(name);
+  QProgressDialog box(QString("Running %1 ...").arg(QString::fromStdString(file)), "Cancel", 0,
+                      static_cast<int>(lines.size()), this);
+  box.setWindowTitle("Run Script");
+  box.setWindowModality(Qt::ApplicationModal);
+  box.show();
+  const auto is_cancelled = [&box] {
+    QApplication::processEvents();
+    return box.wasCanceled();
+  };
+  editor_->script().interrupt_where(is_cancelled);
+  int done = 0;
+  for (const ScriptLine& line : lines) {
+    box.setValue(done);
     try {
-      editor_->run_or_throw(nlohmann::json::parse(line.constData()));
-      ++count;
+      if (!run_line(line.text, is_cancelled)) break;
+      ++done;
+    } catch (const Cancelled&) {
+      break;
     } catch (const std::exception& error) {
       QMessageBox::warning(this, "The script stopped",
-                           QString("%1, line %2: %3").arg(name).arg(number).arg(error.what()));
-      return;
+                           QString("%1, line %2: %3").arg(name).arg(line.number).arg(error.what()));
+      break;
     }
   }
-  say_done("Ran " + std::to_string(count) + (count == 1 ? " command of " : " commands of ") + path_name(name));
+  editor_->script().interrupt_where({});
+  const std::string commands = lines.size() == 1 ? " command of " : " commands of ";
+  const std::string all = std::to_string(lines.size()) + commands + file;
+  if (done == static_cast<int>(lines.size())) return say_done("Ran " + all);
+  say_done("Stopped after " + std::to_string(done) + " of " + all + "; Undo takes back what they did to the scene");
+}
+
+bool MainWindow::run_line(const std::string& line, const std::function<bool()>& is_cancelled) {
+  const nlohmann::json command = parse_script_line(line);
+  const Workspace& workspace = editor_->workspace();
+  const bool waits = ScriptRunner::waits_for_cage(command);
+  const auto has_to_wait = [&] {
+    return waits && (workspace.progress().is_solving || workspace.has_to_wait_to_save());
+  };
+  if (is_cancelled()) return false;
+  QTimer wake;
+  wake.start(50);
+  while (has_to_wait()) {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    if (is_cancelled()) return false;
+  }
+  editor_->run_or_throw(command);
+  return true;
 }
 
 void MainWindow::validate() {

@@ -12,7 +12,6 @@
 #include "host/cli/interrupt.h"
 #include "host/cli/text.h"
 #include "host/file/file_error.h"
-#include "host/file/strict_json.h"
 #include "host/plugin_client/find_plugin.h"
 #include "host/plugin_client/plugin_error.h"
 #include "host/view/picture.h"
@@ -20,11 +19,6 @@
 
 namespace cagewright::host {
 namespace {
-
-bool is_blank(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  return first == std::string::npos || line[first] == '#';
-}
 
 // Not asked to enclose, a cage only has to be closed.
 bool is_good(const CageState& cage) {
@@ -48,7 +42,7 @@ class ScriptRun {
   int run(std::istream& script) {
     std::string line;
     for (std::size_t number = 1; std::getline(script, line); ++number) {
-      if (is_blank(line)) continue;
+      if (is_blank_script_line(line)) continue;
       const std::string place = name_ + ":" + std::to_string(number) + ": ";
       try {
         const HeededInterrupts heeded;  // by wake and between lines
@@ -63,19 +57,9 @@ class ScriptRun {
   }
 
  private:
-  // The line is named by file and number; that it is line 1 of itself is not for the user.
-  nlohmann::json parse(const std::string& line) const {
-    try {
-      return parse_strict_json(name_, line);
-    } catch (const FileError& error) {
-      const auto* at = std::get_if<Line>(&error.place());
-      throw ScriptError((at && at->column > 0 ? "column " + std::to_string(at->column) + ": " : "") + error.reason());
-    }
-  }
-
   void run_line(const std::string& line, const std::string& place) {
     try {
-      const nlohmann::json command = parse(line);
+      const nlohmann::json command = parse_script_line(line);
       const nlohmann::json said = runner_.run(command);
       using nlohmann::json;
       // A path in it may be no UTF-8.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/file/file_error.h"
+#include "host/file/strict_json.h"
 #include "host/workspace/script_command.h"
 
 namespace cagewright::host {
@@ -21,19 +22,39 @@ const std::vector<ScriptCommand>& table() {
   return commands;
 }
 
+// Null: there is none of that name.
+const ScriptCommand* look_up(const std::string& name) {
+  const auto found = std::ranges::find(table(), name, [](const ScriptCommand& it) { return std::string(it.name); });
+  return found == table().end() ? nullptr : &*found;
+}
+
 const ScriptCommand& find_command(const ScriptJson& command) {
   if (!command.is_object()) throw ScriptError("a command is an object, {\"command\": \"open\", ...}");
   const auto name = command.find("command");
   if (name == command.end() || !name->is_string()) {
     throw ScriptError("a command needs its name, \"command\": \"open\"");
   }
-  const auto found = std::ranges::find(table(), name->get<std::string>(),
-                                       [](const ScriptCommand& it) { return std::string(it.name); });
-  if (found == table().end()) throw ScriptError("there is no command " + in_quotes(name->get<std::string>()));
+  const ScriptCommand* found = look_up(name->get<std::string>());
+  if (found == nullptr) throw ScriptError("there is no command " + in_quotes(name->get<std::string>()));
   return *found;
 }
 
 }  // namespace
+
+bool is_blank_script_line(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first == std::string::npos || line[first] == '#';
+}
+
+// Who runs it knows the line's file and number; that it is line 1 of itself is not for people.
+nlohmann::json parse_script_line(const std::string& line) {
+  try {
+    return parse_strict_json("", line);
+  } catch (const FileError& error) {
+    const auto* at = std::get_if<Line>(&error.place());
+    throw ScriptError((at && at->column > 0 ? "column " + std::to_string(at->column) + ": " : "") + error.reason());
+  }
+}
 
 const SceneSlide& ScriptContext::slide(const std::string& name) const {
   const SceneSlide* slide = workspace.find_slide(name);
@@ -83,6 +104,12 @@ nlohmann::json ScriptRunner::run(const nlohmann::json& command) {
   if (found.is_of_view && view_) view_(command);
   if (recorder_) recorder_(command);
   return said.is_null() ? ScriptJson::object() : said;
+}
+
+bool ScriptRunner::waits_for_cage(const nlohmann::json& command) {
+  const bool is_named = command.is_object() && command.contains("command") && command["command"].is_string();
+  const ScriptCommand* found = is_named ? look_up(command["command"].get<std::string>()) : nullptr;
+  return found != nullptr && found->waits_for_cage;
 }
 
 void ScriptRunner::interrupt_where(std::function<bool()> is_interrupted) {

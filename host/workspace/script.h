@@ -19,6 +19,11 @@ class ScriptError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Of a script's text: a line that holds no command, being blank or a comment.
+bool is_blank_script_line(const std::string& line);
+// Throws ScriptError, which names the column: it is no JSON.
+nlohmann::json parse_script_line(const std::string& line);
+
 // Runs commands written as JSON objects, {"command": "add_slide", "point": [x, y, z]}: those of the menus, and those of
 // `cagewright --command FILE`. docs/script.md lists them. Slides are named by their names.
 class ScriptRunner {
@@ -32,6 +37,10 @@ class ScriptRunner {
   // FileError, PluginError, PluginLoadError, PictureError, Cancelled; then nothing has changed. Called by what
   // interrupt_where asks it throws ScriptError: one command is run at a time.
   nlohmann::json run(const nlohmann::json& command);
+
+  // Whether that command begins with waiting for the cage: then a window may wait before it, and go on meanwhile. False
+  // of what is no command.
+  static bool waits_for_cage(const nlohmann::json& command);
 
   // Asked while a command works for long (validate, turntable: before each frame); where it answers true the command
   // throws Cancelled. May be empty.

@@ -72,18 +72,22 @@ ScriptJson validate(ScriptContext& context, const ScriptArguments& arguments) {
 std::vector<ScriptCommand> script_cage_commands() {
   return {
       {"solve", {}, "Asks for the cage again, in the background; also after cancel", solve},
-      {"wait", {}, "Waits for the cage; says what is wrong with it, if anything", wait},
+      {"wait", {}, "Waits for the cage; says what is wrong with it, if anything", wait, false, true},
       {"cancel", {}, "Cancels the solve; the cage is not followed before the next change or solve", cancel},
       {"report",
        {{"path", Kind::text}},
        "Waits for the cage; writes its report or says it, as \"cagewright cage --report\" does",
-       report},
+       report,
+       false,
+       true},
       {"validate",
        {{"html", Kind::text}, {"json", Kind::text}, {"seconds", Kind::number}, {"starts", Kind::whole}},
        "Has Ceres check the plug-in's figures, as \"cagewright validate\" does, and waits; writes what it finds or "
        "says "
        "it",
-       validate},
+       validate,
+       false,
+       true},
   };
 }
 

@@ -81,6 +81,7 @@ struct ScriptCommand {
   const char* doc;
   ScriptJson (*run)(ScriptContext&, const ScriptArguments&);  // of a view: checks its arguments
   bool is_of_view = false;
+  bool waits_for_cage = false;
 };
 
 // The table, by subject.

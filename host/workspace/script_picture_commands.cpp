@@ -77,7 +77,9 @@ std::vector<ScriptCommand> script_picture_commands() {
       {"picture",
        {{"path", Kind::text, true}, {"from", Kind::point}, {"up", Kind::point}, {"size", Kind::size}},
        "Waits for the cage and writes a picture of mesh, slides and cage, .png; needs a display",
-       picture},
+       picture,
+       false,
+       true},
       {"turntable",
        {{"folder", Kind::text, true},
         {"frames", Kind::whole},
@@ -85,7 +87,9 @@ std::vector<ScriptCommand> script_picture_commands() {
         {"up", Kind::point},
         {"size", Kind::size}},
        "The same as frame_0001.png, frame_0002.png ... (36) of a whole turn; needs a display",
-       turn},
+       turn,
+       false,
+       true},
   };
 }
 

@@ -39,11 +39,13 @@ void Workspace::State::set_plugin(std::shared_ptr<const Plugin> with) {
   std::vector<Parameter> its = with ? with->parameters() : std::vector<Parameter>();
   solver.reset();  // before the plug-in that it uses
   fitter.reset();
-  fitter_mesh.reset();
   asked.clear();
   plugin = std::move(with);
   parameters = std::move(its);
-  if (plugin) solver = std::make_unique<CageSolver>(plugin, wake);
+  if (plugin) {
+    solver = std::make_unique<CageSolver>(plugin, wake);
+    fitter = std::make_unique<SlideFitter>(plugin);
+  }
   if (scene) {
     for (const int node : scene->caged_nodes()) scene->cage(node).answered = 0;
   }

@@ -104,6 +104,9 @@ class Workspace {
   void snap_slides(const std::vector<std::int64_t>& ids);  // the ellipse becomes that of the loop in its plane
   std::string copy_slides(const std::vector<std::int64_t>& ids) const;  // as the text of a slides file: ellipses
   std::vector<std::int64_t> paste_slides(const std::string& text);      // of one; throws FileError where it is none
+  // Has the plug-in take the mesh for fit(), in the background: else the first fit waits for it, which a million
+  // triangles make long. Does nothing where there is no mesh or no plug-in.
+  void prepare_to_fit();
   // What one of the above would fit; for previews. Throws as they do. Of a stroke across, not tilted.
   Slide::Ellipse fit(const Slide& slide) const;
   Slide::Ellipse fit_across(const std::vector<Point3>& stroke, const Point3& line_of_sight) const;

@@ -75,7 +75,6 @@ void put_cages(SceneDocument& document, const std::vector<CageToSave>& cages) {
 
 void Workspace::State::set_scene(std::unique_ptr<OpenScene> with) {
   forget_requests();
-  fitter_mesh.reset();
   scene = std::move(with);
   is_followed = true;
   for (const WorkspaceChange change :

@@ -64,16 +64,14 @@ Slide::Ellipse Workspace::fit(const Slide& slide) const {
   State& s = *state_;
   OpenScene& open = s.scene_with_mesh();
   if (!s.plugin) throw CommandError("the plug-in fits slides to strokes and points, and none is loaded: load one");
-  const std::shared_ptr<const TriangleMesh> mesh = open.mesh(open.mesh_node);
-  if (!s.fitter) s.fitter = std::make_unique<Session>(s.plugin, SessionListener{});
-  if (s.fitter_mesh != mesh) {
-    s.fitter_mesh.reset();
-    s.fitter->set_mesh(*mesh);
-    s.fitter_mesh = mesh;
-  }
   Slide named = slide;
   if (named.name.empty()) named.name = "new slide";
-  return s.fitter->fit(named);
+  return s.fitter->fit(open.mesh(open.mesh_node), named);
+}
+
+void Workspace::prepare_to_fit() {
+  const State& s = *state_;
+  if (s.fitter && s.scene && s.scene->mesh_node >= 0) s.fitter->prepare(s.scene->mesh(s.scene->mesh_node));
 }
 
 Slide::Ellipse Workspace::fit_across(const std::vector<Point3>& stroke, const Point3& line_of_sight) const {

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "host/plugin_client/session.h"
 #include "host/workspace/cage_solver.h"
 #include "host/workspace/open_scene.h"
+#include "host/workspace/slide_fitter.h"
 #include "host/workspace/workspace.h"
 
 namespace cagewright::host {
@@ -40,9 +40,7 @@ struct Workspace::State {
   };
   std::uint64_t last_request = 0;
   std::map<std::uint64_t, Asked> asked;  // requests that are not answered, by revision
-  // For fit() alone; its mesh is the one that it was given last.
-  std::unique_ptr<Session> fitter;
-  std::shared_ptr<const TriangleMesh> fitter_mesh;
+  std::unique_ptr<SlideFitter> fitter;   // null where there is no plug-in
 
   void tell(WorkspaceChange change) const {
     if (listener) listener(change);

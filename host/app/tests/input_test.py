@@ -5,6 +5,7 @@
 
 The program that files are dragged from is beside PROGRAM.
 """
+import json
 import os
 import subprocess
 import time
@@ -180,7 +181,33 @@ class Replay(WindowTest):
         self.choose(window, 'u', 'Run a script', path('wrong.jsonl'))
         window.focus_dialog('The script stopped')
         window.click_widget('OK')
-        self.assertEqual(window.state()['selection'], ['waist'])
+        state = window.wait_until(lambda s: 'Stopped after 1 of 2 commands of wrong.jsonl' in s['status'], 'it says so')
+        self.assertEqual(state['selection'], ['waist'])
+
+    def test_a_script_that_works_for_long_can_be_cancelled_and_the_window_answers_meanwhile(self):
+        frames = path('frames_of_script')
+        with open(path('long.jsonl'), 'w') as file:
+            for command in ({'command': 'remove_slides', 'slides': ['neck']}, {'command': 'wait'},
+                            {'command': 'turntable', 'folder': frames, 'frames': 300}):
+                file.write(json.dumps(command) + '\n')
+        window = self.open()
+        before = window.settle()
+        self.choose(window, 'u', 'Run a script', path('long.jsonl'))
+        deadline = time.monotonic() + 60
+        while not (os.path.isdir(frames) and len(os.listdir(frames)) > 1):
+            self.assertLess(time.monotonic(), deadline, 'no frames were drawn')
+            time.sleep(0.1)
+        asked = time.monotonic()
+        window.state()
+        self.assertLess(time.monotonic() - asked, 3, 'the window did not answer')
+        window.shot('script_runs')
+        window.click_widget('Cancel')
+        state = window.wait_until(lambda s: 'Stopped after 2 of 3 commands of long.jsonl' in s['status'], 'it says so')
+        self.assertEqual(len(state['slides']), len(before['slides']) - 1)
+        self.assertLess(len(os.listdir(frames)), 300)
+        window.focus('main_window')
+        window.key('ctrl+z')
+        window.wait_until(lambda s: len(s['slides']) == len(before['slides']), 'Undo takes back what it did')
 
 
 if __name__ == '__main__':

@@ -193,6 +193,18 @@ TEST_F(ScriptTest, WhatIsOfAViewIsCheckedAndHandedToIt) {
   EXPECT_TRUE(holds(refusal(R"({"command": "frame", "what": "slide"})"), "\"slide\""));
 }
 
+// What says that it waits has to be known for it, and what makes the cage in the background must not be.
+TEST_F(ScriptTest, CommandsThatWaitForTheCageAreKnown) {
+  for (const ScriptRunner::Description& command : ScriptRunner::commands()) {
+    const bool says_so = holds(command.doc, "Waits for the cage") || holds(command.doc, "and waits") ||
+                         holds(command.doc, "of a whole turn");
+    EXPECT_EQ(ScriptRunner::waits_for_cage({{"command", command.name}}), says_so) << command.name;
+  }
+  EXPECT_FALSE(ScriptRunner::waits_for_cage({{"command", "no such"}}));
+  EXPECT_FALSE(ScriptRunner::waits_for_cage({{"command", 3}}));
+  EXPECT_FALSE(ScriptRunner::waits_for_cage("wait"));
+}
+
 TEST_F(ScriptTest, CommandsThatMakeNoSenseAreRefusedWithASentenceAndChangeNothing) {
   open_with_slides({0});
   const std::string before = bytes();

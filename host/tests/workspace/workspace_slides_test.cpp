@@ -51,6 +51,36 @@ class WorkspaceSlidesTest : public WorkspaceTest {
   }
 };
 
+TEST_F(WorkspaceSlidesTest, WhatIsFittedToAPreparedMeshIsWhatIsFittedToAnother) {
+  workspace_.prepare_to_fit();  // nothing is open
+  workspace_.open(model_);
+  const Slide::Ellipse unprepared = workspace_.fit(across("", 0.2));
+  workspace_.open(write_model("other.off", ellipsoid(12, 20)));
+  workspace_.prepare_to_fit();
+  workspace_.prepare_to_fit();
+  const Slide::Ellipse of_other = workspace_.fit(across("", 0.2));
+  EXPECT_NE(of_other.u, unprepared.u);
+  workspace_.open(model_);
+  workspace_.prepare_to_fit();
+  const Slide::Ellipse prepared = workspace_.fit(across("", 0.2));
+  EXPECT_EQ(prepared.center, unprepared.center);
+  EXPECT_EQ(prepared.u, unprepared.u);
+  EXPECT_EQ(prepared.v, unprepared.v);
+}
+
+TEST_F(WorkspaceSlidesTest, AMeshThatCannotBePreparedIsToldByEveryFit) {
+  TriangleMesh open = ellipsoid(12, 20);
+  open.triangles.resize(open.triangles.size() - 3);
+  workspace_.open(write_model("open.off", open));
+  workspace_.prepare_to_fit();
+  const auto fit = [&] { static_cast<void>(workspace_.fit(across("", 0.2))); };
+  const std::string sentence = sentence_of<PluginError>(fit);
+  EXPECT_PRED2(holds, sentence, "open");
+  EXPECT_EQ(sentence_of<PluginError>(fit), sentence);
+  workspace_.unload_plugin();
+  workspace_.prepare_to_fit();
+}
+
 TEST_F(WorkspaceSlidesTest, EveryChangeIsOneStepThatUndoAndRedoLeadRoundToTheByte) {
   open_with_slides({0.2});
   const std::int64_t first = id("slide 1");
