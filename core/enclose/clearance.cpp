@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/enclose/flatten.h"
+#include "core/enclose/nearest_slide.h"
 #include "core/enclose/push_out.h"
 #include "core/enclose/triangle_distance.h"
 #include "core/parallel/parallel_for.h"
@@ -116,22 +117,6 @@ std::set<int> slides_at(const MovableCage& movable, int t) {
   if (!slides.empty()) return slides;
   const auto part = static_cast<std::size_t>(movable.cage().triangle_part[static_cast<std::size_t>(t)]);
   for (const PartSection& side : movable.segmentation().parts[part].sections) slides.insert(side.slide);
-  return slides;
-}
-
-int nearest_slide(const Segmentation& segmentation, const std::vector<int>& slides, const Vector3& point) {
-  return *std::min_element(slides.begin(), slides.end(), [&](int a, int b) {
-    const auto distance = [&](int k) {
-      return (segmentation.ellipses[static_cast<std::size_t>(k)].center - point).squaredNorm();
-    };
-    return distance(a) < distance(b);
-  });
-}
-
-std::vector<int> slides_of_part(const Segmentation& segmentation, int part) {
-  std::vector<int> slides;
-  for (const PartSection& side : segmentation.parts[static_cast<std::size_t>(part)].sections)
-    slides.push_back(side.slide);
   return slides;
 }
 

@@ -14,8 +14,10 @@
 #include "core/enclose/flatten.h"
 #include "core/enclose/grow_through.h"
 #include "core/enclose/merge_limbs.h"
+#include "core/enclose/nearest_slide.h"
 #include "core/enclose/push_out.h"
 #include "core/enclose/start.h"
+#include "core/enclose/surface_tree.h"
 #include "core/enclose/tighten.h"
 #include "core/mesh/tolerance.h"
 
@@ -302,42 +304,34 @@ class Enclosing {
     }
     const double ratio = movable_.volume() / model_.volume;
     if (options_.in_plane && options_.delta <= 0 && shape_.section_count() > 0 && ratio > loose_ratio) {
-      const auto [vertex, slides] = farthest_off();
-      findings.push_back(too_large_finding(
-          ratio, vertex < 0 ? std::nullopt : std::optional<Vector3>(movable_.point(vertex)), slides, names_));
+      const FarthestOff farthest = farthest_off();
+      findings.push_back(too_large_finding(ratio, farthest.place, farthest.slides, names_));
     }
-    if (!limbs_merged_.empty()) findings.push_back(merged_finding(limbs_merged_, names_));
+    if (!limbs_merged_.empty()) findings.push_back(merged_finding(limbs_merged_, result_.sections_merged, names_));
     return findings;
   }
 
-  // The cage's vertex that is farthest outside the boxes of the parts that its triangles bound, and the slide of its
-  // section, or those of the parts; -1: none is outside. O(n + c).
-  std::pair<int, std::set<int>> farthest_off() const {
-    const Segmentation& segmentation = movable_.segmentation();
-    std::vector<Box3> boxes(segmentation.parts.size());
-    for (Eigen::Index t = 0; t < segmentation.cut.triangles.rows(); ++t)
-      boxes[static_cast<std::size_t>(segmentation.triangle_part[static_cast<std::size_t>(t)])].extend(
-          box_of_triangle(segmentation.cut, t));
-    int farthest = -1;
+  struct FarthestOff {
+    Vector3 place;
+    std::set<int> slides;  // of its part's the nearest; none where the part has none
+  };
+  // Of the cage's vertices and the middles of its triangles the one that is farthest from the model. O(n log n).
+  FarthestOff farthest_off() const {
+    const SurfaceTree surface(movable_.model(), options_.threads);
     double most = 0;
-    for (int v = 0; v < movable_.vertex_count(); ++v) {
-      double off = std::numeric_limits<double>::infinity();
-      for (const int t : movable_.triangles_at(v))
-        off = std::min(off, boxes[part_of_triangle(t)].exteriorDistance(movable_.point(v)));
-      if (std::isfinite(off) && off > most) farthest = v, most = off;
-    }
-    if (farthest < 0) return {-1, {}};
-    if (const int k = shape_.section_of(farthest); k >= 0) return {farthest, {k}};
-    std::map<int, int> slides;
-    for (const int t : movable_.triangles_at(farthest)) add_slides(t, slides);
-    std::set<int> named;
-    for (const auto& [k, count] : slides)
-      if (named.size() < most_named) named.insert(k);
-    return {farthest, named};
-  }
-
-  std::size_t part_of_triangle(int t) const {
-    return static_cast<std::size_t>(cage_.triangle_part[static_cast<std::size_t>(t)]);
+    int triangle = 0;
+    Vector3 place = middle_of(0);
+    const auto look_at = [&](const Vector3& point, int t) {
+      const double off = surface.nearest(point).distance;
+      if (off > (1 + tolerance::tie) * most) most = off, triangle = t, place = point;
+    };
+    for (int v = 0; v < movable_.vertex_count(); ++v)
+      if (!movable_.triangles_at(v).empty()) look_at(movable_.point(v), movable_.triangles_at(v).front());
+    for (int t = 0; t < movable_.triangle_count(); ++t) look_at(middle_of(t), t);
+    const Segmentation& segmentation = movable_.segmentation();
+    const int part = cage_.triangle_part[static_cast<std::size_t>(triangle)];
+    const int slide = nearest_slide(segmentation, slides_of_part(segmentation, part), place);
+    return {place, slide < 0 ? std::set<int>() : std::set{slide}};
   }
 
   std::vector<Finding> findings() const {

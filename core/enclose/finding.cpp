@@ -15,24 +15,29 @@ std::string number(double value) {
   return text.str();
 }
 
-template <class Pairs>
-std::string limbs_text(const Pairs& limbs, const std::vector<std::string>& names) {
+// A text, and which slides it names.
+struct Limbs {
   std::string text;
-  std::size_t count = 0;
-  for (const auto& [a, b] : limbs) {
-    if (count++ == most_pairs_named) break;
-    text += (text.empty() ? "" : "; ") + ("the limbs at " + quoted({a}, names)) + " and " + quoted({b}, names);
-  }
-  return text + (limbs.size() > most_pairs_named ? "; and others" : "");
-}
+  std::set<int> slides;
+};
 
 template <class Pairs>
-void add_named(const Pairs& limbs, std::set<int>& slides) {
+Limbs limbs_of(const Pairs& pairs, const std::vector<std::string>& names) {
+  Limbs limbs;
   std::size_t count = 0;
-  for (const auto& [a, b] : limbs) {
+  for (const auto& [a, b] : pairs) {
     if (count++ == most_pairs_named) break;
-    slides.insert({a, b});
+    limbs.text +=
+        (count == 1 ? "the limbs at " : ", and those at ") + quoted({a}, names) + " and " + quoted({b}, names);
+    limbs.slides.insert({a, b});
   }
+  if (pairs.size() > most_pairs_named) limbs.text += ", and others";
+  return limbs;
+}
+
+// "the section of the slide 'knee'", and of more.
+std::string sections_of(const std::set<int>& slides, const std::vector<std::string>& names) {
+  return (slides.size() == 1 ? "the section of the slide " : "the sections of the slides ") + quoted(slides, names);
 }
 
 std::vector<int> listed(const std::set<int>& slides) { return {slides.begin(), slides.end()}; }
@@ -61,36 +66,40 @@ Finding too_near_finding(const TooNear& near, double kept, const Vector3& place,
       quoted(near.slides, names);
   std::set<int> slides = near.slides;
   if (!near.conflicts.empty()) {
-    text += "; in each other's way may be " + limbs_text(near.conflicts, names);
-    add_named(near.conflicts, slides);
+    const Limbs limbs = limbs_of(near.conflicts, names);
+    text += "; in each other's way may be " + limbs.text;
+    slides.insert(limbs.slides.begin(), limbs.slides.end());
   }
   return {std::move(text), listed(slides), place};
 }
 
 Finding off_plane_finding(const std::set<int>& slides, const std::vector<std::string>& names) {
-  return {"the cage encloses the model, but the sections of the slides " + quoted(slides, names) +
-              " could not stay in their planes and near to square: move or turn these slides, or add one beside them",
+  const bool is_one = slides.size() == 1;
+  return {"the cage encloses the model, but " + sections_of(slides, names) +
+              (is_one ? " could not stay in its plane and near to square: move or turn this slide, or add one beside it"
+                      : " could not stay in their planes and near to square: move or turn these slides, or add one "
+                        "beside them"),
           listed(slides),
-          {}};
+          {},
+          true};
 }
 
-Finding too_large_finding(double ratio, const std::optional<Vector3>& place, const std::set<int>& slides,
+Finding too_large_finding(double ratio, const Vector3& place, const std::set<int>& slides,
                           const std::vector<std::string>& names) {
   std::string text = "the cage is " + number(ratio) +
                      " times as large as the model: let sections leave their slides' planes (enclose.in_plane=false), "
                      "or add slides where it stands off";
   if (!slides.empty()) text += ", farthest near " + quoted(slides, names);
-  return {std::move(text), listed(slides), place};
+  return {std::move(text), listed(slides), place, true};
 }
 
-Finding merged_finding(const SlidePairs& limbs, const std::vector<std::string>& names) {
-  std::set<int> slides;
-  add_named(limbs, slides);
-  return {"the cages of " + limbs_text(limbs, names) +
-              " run into each other and were made one there: move or turn these slides, or add one beside them, to "
-              "keep them apart",
-          listed(slides),
-          {}};
+Finding merged_finding(const SlidePairs& limbs, const std::vector<int>& lost, const std::vector<std::string>& names) {
+  auto [text, slides] = limbs_of(limbs, names);
+  text = "the cages of " + text + " run into each other and were made one there";
+  if (!lost.empty()) text += ", which took away " + sections_of({lost.begin(), lost.end()}, names);
+  text += ": move or turn these slides, or add one beside them, to keep them apart";
+  slides.insert(lost.begin(), lost.end());
+  return {std::move(text), listed(slides), {}, true};
 }
 
 }  // namespace cagewright

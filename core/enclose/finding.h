@@ -12,12 +12,13 @@
 
 namespace cagewright {
 
-// What could be better of a cage, or keeps it from enclosing the model: one sentence, the slides that it names and,
-// where one is known, a place, model units.
+// What keeps a cage from enclosing the model, or from the distance that was asked for, or could be better of it: one
+// sentence, the slides that it names and, where one is known, a place, model units.
 struct Finding {
   std::string sentence;
   std::vector<int> slides;  // ascending
   std::optional<Vector3> place;
+  bool is_advice = false;  // it could be better, and nothing that was asked for is missing
 };
 
 using SlidePairs = std::vector<std::pair<int, int>>;
@@ -33,9 +34,9 @@ Finding too_near_finding(const TooNear& near, double kept, const Vector3& place,
 // Sections that could not stay in the planes of their slides.
 Finding off_plane_finding(const std::set<int>& slides, const std::vector<std::string>& names);
 // The cage is `ratio` times as large as the model; it stands off farthest at `place`, near these slides.
-Finding too_large_finding(double ratio, const std::optional<Vector3>& place, const std::set<int>& slides,
+Finding too_large_finding(double ratio, const Vector3& place, const std::set<int>& slides,
                           const std::vector<std::string>& names);
-// Limbs that were made one, by pairs of their slides.
-Finding merged_finding(const SlidePairs& limbs, const std::vector<std::string>& names);
+// Limbs that were made one, by pairs of their slides; `lost`, ascending: those whose sections are whole no longer.
+Finding merged_finding(const SlidePairs& limbs, const std::vector<int>& lost, const std::vector<std::string>& names);
 
 }  // namespace cagewright

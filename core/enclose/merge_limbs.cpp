@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/enclose/disjoint_sets.h"
+#include "core/enclose/nearest_slide.h"
 #include "core/enclose/outer_hull.h"
 #include "core/enclose/simplify_hull.h"
 #include "core/enclose/triangle_distance.h"
@@ -119,7 +120,7 @@ class Merging {
         for (int j = 0; j < 3; ++j) shares = shares || movable_.vertex_of(s, i) == movable_.vertex_of(u, j);
       if (shares) continue;
       const Vector3 middle = (hull_.mesh.points.row(edge.first) + hull_.mesh.points.row(edge.second)).transpose() / 2;
-      const int a = nearest_slide(part_of(s), middle), b = nearest_slide(part_of(u), middle);
+      const int a = nearest_slide_of_part(part_of(s), middle), b = nearest_slide_of_part(part_of(u), middle);
       if (a >= 0 && b >= 0 && a != b)
         lengths[std::minmax(a, b)] += (hull_.mesh.points.row(edge.first) - hull_.mesh.points.row(edge.second)).norm();
     }
@@ -128,17 +129,9 @@ class Merging {
                      [&](const auto& a, const auto& b) { return lengths.at(a) > lengths.at(b); });
   }
 
-  int nearest_slide(int part, const Vector3& place) const {
-    int best = -1;
-    double least = 0;
-    for (const PartSection& side : movable_.segmentation().parts[static_cast<std::size_t>(part)].sections) {
-      const Vector3& center = movable_.segmentation().ellipses[static_cast<std::size_t>(side.slide)].center;
-      const double distance = (center - place).squaredNorm();
-      if (best >= 0 && distance >= least) continue;
-      best = side.slide;
-      least = distance;
-    }
-    return best;
+  int nearest_slide_of_part(int part, const Vector3& place) const {
+    const Segmentation& segmentation = movable_.segmentation();
+    return nearest_slide(segmentation, slides_of_part(segmentation, part), place);
   }
 
   // Of each section the rows of its corners among the hull's vertices, or -1.

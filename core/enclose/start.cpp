@@ -62,6 +62,7 @@ std::vector<Ring> find_rings(const MovableCage& movable, const std::vector<Secti
       part_of[static_cast<std::size_t>(movable.vertex_of(t, i))] = cage.triangle_part[static_cast<std::size_t>(t)];
   // Caps come four corners each, but for boxes, of parts without sections.
   for (int v = static_cast<int>(4 * sections.size()); v + 3 < movable.vertex_count(); v += 4) {
+    if (part_of[static_cast<std::size_t>(v)] < 0) continue;  // of no triangle
     const auto part = static_cast<std::size_t>(part_of[static_cast<std::size_t>(v)]);
     const std::vector<PartSection>& bounds = segmentation.parts[part].sections;
     if (bounds.empty()) continue;

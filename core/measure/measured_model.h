@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/measure/surface_tree.h"
+#include "core/enclose/surface_tree.h"
 
 namespace cagewright {
 

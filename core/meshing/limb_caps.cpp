@@ -36,18 +36,41 @@ double size_of(const std::vector<HullPlane>& hull, const std::vector<Vector3>& c
   return size;
 }
 
-struct Farthest {
-  int vertex = -1;
+struct Tip {
+  Vector3 point = Vector3::Zero();
   double height = 0;  // above the plane of the hull that it is farthest above
 };
 
-Farthest farthest_outside(const Points& points, const Part& part, const std::vector<HullPlane>& hull) {
-  Farthest farthest;
+// Of vertices that are as far, at the end of a flat limb, the middle: which of them comes first says nothing.
+Tip tip_above(const Points& points, const Part& part, const HullPlane& plane) {
+  const auto height_of = [&](int v) { return plane.normal.dot(points.row(v)) + plane.offset; };
+  Tip tip;
+  for (const int v : part.vertices) tip.height = std::max(tip.height, height_of(v));
+  int count = 0;
   for (const int v : part.vertices) {
-    const Vector3 point = points.row(v);
-    double height = 0;
-    for (const auto& [normal, offset] : hull) height = std::max(height, normal.dot(point) + offset);
-    if (height > (1 + tolerance::tie) * farthest.height) farthest = {v, height};
+    if (height_of(v) < (1 - tolerance::tie) * tip.height) continue;
+    tip.point += points.row(v).transpose();
+    ++count;
+  }
+  tip.point /= count;
+  return tip;
+}
+
+// Above several planes as far, the one farthest from the middle of the hull's corners.
+Tip farthest_outside(const Points& points, const Part& part, const std::vector<HullPlane>& hull,
+                     const std::vector<Vector3>& corners) {
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& corner : corners) middle += corner / static_cast<double>(corners.size());
+  Tip farthest;
+  double most = 0;
+  for (const HullPlane& plane : hull) {
+    const Tip tip = tip_above(points, part, plane);
+    if (tip.height < (1 - tolerance::tie) * farthest.height) continue;
+    const double distance = (tip.point - middle).norm();
+    const bool is_tie = tip.height <= (1 + tolerance::tie) * farthest.height;
+    if (is_tie && distance <= (1 + tolerance::tie) * most) continue;
+    farthest = tip;
+    most = distance;
   }
   return farthest;
 }
@@ -75,7 +98,7 @@ CapCorners cap_at(const Points& points, const Part& part, const Vector3& tip, co
   Eigen::AlignedBox2d box;
   for (const int v : part.vertices) {
     const Vector3 offset = Vector3(points.row(v)) - tip;
-    if (out.dot(offset) >= -away.norm() / 2) box.extend(Vector2(p.dot(offset), q.dot(offset)));
+    if (out.dot(offset) >= -(0.5 + tolerance::tie) * away.norm()) box.extend(Vector2(p.dot(offset), q.dot(offset)));
   }
   const Vector2 middle = box.center(), half = (box.sizes() / 2).cwiseMax(least_half);
   const auto corner = [&](double a, double b) -> Vector3 {
@@ -94,11 +117,10 @@ std::vector<CapCorners> limb_caps(const Points& points, const Part& part, std::v
     const std::vector<HullPlane> hull = hull_planes(corners);
     const double near =
         std::max(tolerance::far_of_sections * half_side, tolerance::far_of_hull * size_of(hull, corners));
-    const Farthest farthest = farthest_outside(points, part, hull);
-    if (farthest.height <= near) break;
-    const Vector3 tip = points.row(farthest.vertex);
-    caps.push_back(
-        cap_at(points, part, tip, away_from_hull(corners, tip), widest(sections), tolerance::least_cap * half_side));
+    const Tip tip = farthest_outside(points, part, hull, corners);
+    if (tip.height <= (1 + tolerance::tie) * near) break;
+    const Vector3 away = away_from_hull(corners, tip.point);
+    caps.push_back(cap_at(points, part, tip.point, away, widest(sections), tolerance::least_cap * half_side));
     corners.insert(corners.end(), caps.back().begin(), caps.back().end());
   }
   return caps;

@@ -17,11 +17,12 @@ using CapCorners = std::array<Vector3, 4>;
 //
 // As long as a vertex of the part is farther outside the hull of all corners so far than tolerance::far_of_sections
 // times the half side of its sections, in the mean, and tolerance::far_of_hull of the hull's size, the farthest one
-// gets a cap: through it, across the direction from the hull to it, around what reaches at least half as far. At most
-// tolerance::most_limb_caps.
+// gets a cap: through it (of several that are as far above one face of the hull, their middle), across the direction
+// from the hull to it, around what reaches at least half as far. At most tolerance::most_limb_caps.
 //
-// The caps in the order found; equally far vertices in theirs. `sections`: those that bound the part, not empty. Turns,
-// moves and scales with the model. Thread-safe. O(caps * part).
+// The caps in the order found; above faces with equally far vertices, the one farthest from the corners' middle first.
+// `sections`: those that bound the part, not empty. Turns, moves and scales with the model. Thread-safe. O(caps *
+// part).
 std::vector<CapCorners> limb_caps(const Points& points, const Part& part, std::vector<Vector3> corners,
                                   const std::vector<SectionFrame>& sections);
 

@@ -37,7 +37,8 @@ struct Cage {
 // from inside: Delaunay with the section edges as constraints, then the paper's flips, never across a section edge. The
 // union is a closed, consistently oriented 2-manifold. `names` are the slides', for the sentences. Throws Error:
 // sections_overlap (no centre sees them side by side; names slides), parts_share_wall (two parts between the same
-// slides). Thread-safe. O(sum over parts of sections^3): parts have few sections.
+// slides). Thread-safe. O(sum over parts of sections^3, and of vertices times faces of the
+// corners' hull for each limb's cap): parts have few sections.
 Cage mesh_cage(const Segmentation& segmentation, const std::vector<SectionFrame>& sections,
                const std::vector<std::string>& names);
 

@@ -275,13 +275,24 @@ Vector3 best_center(const Bounds& bounds) {
               place);
 }
 
+// Free corners may lie behind one another; no triangulation of a sphere has both.
+bool sees_apart(const std::vector<Vector3>& corners, const Vector3& center) {
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector3 a = (corners[i] - center).stableNormalized(), b = (corners[j] - center).stableNormalized();
+      if ((a - b).norm() <= tolerance::least_visibility) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 double visibility(const Bounds& bounds, const Vector3& center) { return Visibility(bounds)(center); }
 
 std::optional<Vector3> find_projection_center(const Bounds& bounds) {
   std::optional<Vector3> center = best_center(bounds);
-  if (!(visibility(bounds, *center) > tolerance::least_visibility)) center.reset();
+  const bool is_found = visibility(bounds, *center) > tolerance::least_visibility;
+  if (!is_found || !sees_apart(bounds.corners(), *center)) center.reset();
   return center;
 }
 

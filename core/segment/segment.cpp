@@ -104,12 +104,14 @@ void check_two_sides(const Segmentation& result, const std::vector<bool>& hollow
     place.slide = k;
     place.part = static_cast<std::size_t>(result.slide_parts[k][0]);
     place.point = result.ellipses[k].center;
-    throw Error(ErrorCode::part_sees_slide_twice,
-                "slide '" + names[k] + "' has the same part on both sides: " +
-                    (hollow[k] ? "the model is a pipe there, and its inside wall joins the two; close the pipe's ends, "
-                                 "or remove the slide"
-                               : "the model is a ring there that is cut only once; add another slide on the ring"),
-                place);
+    throw Error(
+        ErrorCode::part_sees_slide_twice,
+        "slide '" + names[k] + "' has the same part on both sides: " +
+            (hollow[k] ? "the model is a pipe there, and its inside wall joins the two; close the pipe's ends, "
+                         "or remove the slide"
+                       : "the model is a ring there that is cut only once; add two more slides round it, for a ring "
+                         "needs three"),
+        place);
   }
 }
 

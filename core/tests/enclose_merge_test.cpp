@@ -69,7 +69,12 @@ TEST(Merge, EnclosesLegsThatNearlyTouchAndNothingElseDoes) {
     EXPECT_NE(one.enclosure->shortfall.find("the cages of the limbs at '"), std::string::npos);
     EXPECT_NE(one.enclosure->shortfall.find("run into each other and were made one there"), std::string::npos)
         << one.enclosure->shortfall;
-    EXPECT_GE(one.enclosure->findings.back().slides.size(), 2u);
+    const Finding& finding = one.enclosure->findings.back();
+    EXPECT_GE(finding.slides.size(), 2u);
+    EXPECT_TRUE(finding.is_advice);
+    EXPECT_NE(finding.sentence.find(", which took away the section"), std::string::npos) << finding.sentence;
+    for (const int k : one.enclosure->sections_merged)
+      EXPECT_EQ(std::ranges::count(finding.slides, k), 1) << "a slide that has lost its section is named";
   }
 }
 

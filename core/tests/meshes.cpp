@@ -28,7 +28,22 @@ IndexedMesh to_mesh(const std::vector<Vector3>& points, const std::vector<std::a
   return mesh;
 }
 
-// The surface of a set of unit cells on a grid: two triangles for each side between a cell and no cell.
+// Two triangles for each cell of a grid of `around` by `across` cells; `row_of` closes it up as it likes.
+template <class RowOf>
+std::vector<std::array<int, 3>> grid(int around, int across, RowOf row_of) {
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const int a = row_of(i, j), b = row_of(i + 1, j), c = row_of(i + 1, j + 1), d = row_of(i, j + 1);
+      triangles.push_back({a, b, c});
+      triangles.push_back({a, c, d});
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
 IndexedMesh surface_of_cells(const std::set<std::array<int, 3>>& cells) {
   std::map<std::array<int, 3>, int> row_of;
   std::vector<Vector3> points;
@@ -59,22 +74,6 @@ IndexedMesh surface_of_cells(const std::set<std::array<int, 3>>& cells) {
   }
   return to_mesh(points, triangles);
 }
-
-// Two triangles for each cell of a grid of `around` by `across` cells; `row_of` closes it up as it likes.
-template <class RowOf>
-std::vector<std::array<int, 3>> grid(int around, int across, RowOf row_of) {
-  std::vector<std::array<int, 3>> triangles;
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      const int a = row_of(i, j), b = row_of(i + 1, j), c = row_of(i + 1, j + 1), d = row_of(i, j + 1);
-      triangles.push_back({a, b, c});
-      triangles.push_back({a, c, d});
-    }
-  }
-  return triangles;
-}
-
-}  // namespace
 
 IndexedMesh tetrahedron() {
   return to_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <set>
+
 #include "core/mesh/types.h"
 
 // Meshes for tests, by property. All are made by arithmetic alone, deterministic, and face outward unless they say not.
@@ -11,6 +14,9 @@ IndexedMesh tetrahedron();  // corners at the origin and at the ends of the axes
 IndexedMesh box(const Vector3& min, const Vector3& max);
 IndexedMesh icosphere(int subdivisions);                                // unit radius, 20 * 4^subdivisions triangles
 IndexedMesh capsule(double radius, double length, int around, int up);  // round z; `length` between the half spheres
+
+// The surface of a set of unit cells on a grid: two triangles for each side between a cell and no cell.
+IndexedMesh surface_of_cells(const std::set<std::array<int, 3>>& cells);
 
 // Closed, higher genus.
 IndexedMesh torus(double major, double minor, int around, int across);  // round z; genus 1

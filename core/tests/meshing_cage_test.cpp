@@ -75,6 +75,10 @@ TEST(MeshCage, IsClosedWithTheGenusOfTheSlideGraph) {
     SCOPED_TRACE(body.name);
     const PipelineResult result = mesh_only(prepare_model(body.mesh), body.slides);
     expect_sound_cage(result, body.cage_genus);
+    if (body.cage_genus == 0) {  // bends of rings reach far out of their sections' hulls, and get caps
+      const auto slides = static_cast<Eigen::Index>(body.slides.size());
+      EXPECT_EQ(result.cage->points.rows(), 4 * (slides + leaves(result.segmentation))) << "every limb is cut off";
+    }
     EXPECT_EQ(result.cage_genus, body.cage_genus);
     expect_walls_round_their_centers(result);
   }

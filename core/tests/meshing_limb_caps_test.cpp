@@ -36,6 +36,7 @@ std::vector<CutPart> parts_of(const PipelineResult& result) {
     }
     parts.push_back(cut);
   }
+  EXPECT_FALSE(parts.empty());
   return parts;
 }
 
@@ -111,6 +112,37 @@ TEST(LimbCaps, MoveWithTheModel) {
     const PipelineResult there =
         run(prepare_model(shapes::moved(figure.mesh, motion)), shapes::moved(slides, motion), Stage::meshing);
     checks::expect_same_cage(*here.cage, *there.cage, 1e-10 * motion.scale, motion);
+  }
+}
+
+// A trunk along z with two arms of different lengths, their ends flat: of a flat end's vertices all are as far, those
+// of its sides half as far as its end are on the limit.
+IndexedMesh body_of_cells() {
+  std::set<std::array<int, 3>> cells;
+  const auto fill = [&](const std::array<int, 3>& from, const std::array<int, 3>& to) {
+    for (int x = from[0]; x < to[0]; ++x)
+      for (int y = from[1]; y < to[1]; ++y)
+        for (int z = from[2]; z < to[2]; ++z) cells.insert({x, y, z});
+  };
+  fill({-1, -2, -6}, {1, 2, 6});
+  fill({1, -2, 0}, {9, 1, 2});
+  fill({-7, -1, -1}, {-1, 2, 1});
+  return meshes::surface_of_cells(cells);
+}
+
+TEST(LimbCaps, OfFlatEndsDependNeitherOnTheOrderOfVerticesNorOnMotion) {
+  const IndexedMesh body = body_of_cells();
+  const std::vector<Slide> slides = {{"top", EllipseDefinition{{0, 0, 4.5}, {1.5, 0, 0}, {0, 3, 0}}},
+                                     {"bottom", EllipseDefinition{{0, 0, -4.5}, {1.5, 0, 0}, {0, 3, 0}}}};
+  const PipelineResult here = run(prepare_model(body), slides, Stage::meshing);
+  EXPECT_EQ(here.cage->points.rows(), 4 * (2 + 2 + 2)) << "two sections, two leaves, two arms";
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    const PipelineResult shuffled = run(prepare_model(meshes::shuffled(body, seed)), slides, Stage::meshing);
+    checks::expect_same_cage(*here.cage, *shuffled.cage, 1e-12);
+    const Motion motion = shapes::random_motion(seed, 1, 5);
+    const PipelineResult there =
+        run(prepare_model(shapes::moved(body, motion)), shapes::moved(slides, motion), Stage::meshing);
+    checks::expect_same_cage(*here.cage, *there.cage, 1e-10, motion);
   }
 }
 

@@ -352,6 +352,21 @@ TEST(ProjectionCenter, PositiveVisibilityMeansThatNoDirectionMeetsTwoBounds) {
   EXPECT_GT(overlapping, 50);
 }
 
+// Of two at one place no sphere round any centre has both.
+TEST(ProjectionCenter, IsNoneWhereItSeesTwoFreeCornersInOneDirection) {
+  Random random(10);
+  int found = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    Bounds bounds = random_bounds(random, 2);
+    bounds.free_corners = {3 * random.direction()};
+    if (!find_projection_center(bounds)) continue;
+    ++found;
+    bounds.free_corners.push_back(bounds.free_corners.front());
+    EXPECT_FALSE(find_projection_center(bounds)) << "trial " << trial;
+  }
+  EXPECT_GT(found, 10);
+}
+
 TEST(ProjectionCenter, NamesTheSlidesWhereNoPointSeesThem) {
   Bounds bounds;
   Random random(9);

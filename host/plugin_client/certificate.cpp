@@ -40,6 +40,7 @@ Finding read_finding(const std::function<void(cgw_finding*)>& call) {
   call(&f);
   if (f.message != nullptr) finding.sentence = f.message;
   if (f.has_point == 1) finding.place = std::to_array(f.point);
+  finding.is_advice = f.is_advice == 1;
   return finding;
 }
 

@@ -18,6 +18,7 @@ struct Finding {
   std::string sentence;
   std::vector<std::uint64_t> slides;           // ids of the session's
   std::optional<std::array<double, 3>> place;  // of the model
+  bool is_advice = false;                      // nothing that was asked for is missing
 };
 
 // cgw_certificate with lists: rows of the meshes that the plug-in was given.

@@ -24,7 +24,7 @@ struct Problem {
   std::string sentence;
   std::vector<std::int64_t> slides;  // at fault; may be empty
   std::optional<Point3> place;       // in the mesh node's space
-  bool is_advice = false;            // the cage is certified all the same
+  bool is_advice = false;            // the cage could be better; nothing that was asked for is missing
 };
 
 // What the last solve of a mesh node came to.

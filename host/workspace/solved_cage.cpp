@@ -37,7 +37,7 @@ void read_sections(const Session& session, const SolveRequest& request, CageStat
 void read_findings(const Session& session, const SolveRequest& request, CageState& state) {
   const auto ids = ids_of(session.slides(), request);
   for (const Finding& finding : state.certificate->findings) {
-    Problem problem{finding.sentence, {}, finding.place};
+    Problem problem{finding.sentence, {}, finding.place, finding.is_advice};
     for (const std::uint64_t id : finding.slides)
       if (const auto found = ids.find(id); found != ids.end()) problem.slides.push_back(found->second);
     state.findings.push_back(std::move(problem));
@@ -134,12 +134,13 @@ std::vector<Problem> problems_of(const CageState& state, const SolveRequest& req
   const bool was_asked_for = state.summary.last_stage >= CGW_STAGE_ENCLOSE;
   if (!state.certificate || !was_asked_for) return {};
   const Certificate& certificate = *state.certificate;
-  const bool is_advice = certificate.encloses && certificate.keeps_distance;
+  const bool is_good = certificate.encloses && certificate.keeps_distance;
   std::vector<Problem> problems = state.findings;
-  if (problems.empty() && !(is_advice && certificate.message.empty()))
+  if (problems.empty() && !(is_good && certificate.message.empty())) {
     problems.push_back(problem_of_message(certificate.message, request));
+    problems.back().is_advice = is_good;
+  }
   for (Problem& problem : problems) {
-    problem.is_advice = is_advice;
     problem.sentence = without_echo(std::move(problem.sentence));
     if (problem.place || certificate.vertices_outside.empty() || !request.mesh) continue;
     const std::size_t row = 3 * std::size_t{certificate.vertices_outside.front()};

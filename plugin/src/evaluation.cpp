@@ -150,6 +150,7 @@ void read_finding(const CageCertificate& certificate, const std::vector<std::uin
   for (int axis = 0; axis < 3; ++axis) f.point[axis] = finding.place ? (*finding.place)(axis) : 0;
   f.message = finding.sentence.c_str();
   f.slide_count = finding.slides.size();
+  f.is_advice = finding.is_advice;
   write_struct(out, f, "cgw_finding");
   check_room(f.slides, f.slide_capacity, f.slide_count, "slides");
   std::vector<std::uint64_t> ids;

@@ -212,8 +212,11 @@ TEST(AbiFinding, IsASentenceOfTheMessageWithItsSlidesAndPlace) {
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_EQ(std::count(slides.begin(), slides.end(), ids[k]),
                 std::string(finding.message).find("'" + names[k] + "'") != std::string::npos);
+    const bool is_of_distance =
+        std::string(finding.message).find("not with the distance asked for") != std::string::npos;
+    EXPECT_EQ(finding.is_advice, is_of_distance ? 0u : 1u) << finding.message;
     if (i > 0) continue;
-    EXPECT_NE(std::string(finding.message).find("not with the distance asked for"), std::string::npos);
+    EXPECT_TRUE(is_of_distance) << finding.message;
     ASSERT_EQ(finding.has_point, 1u);
     EXPECT_LT(std::hypot(finding.point[0], finding.point[1]), 3) << "it is in the hole";
   }

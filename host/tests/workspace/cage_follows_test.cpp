@@ -257,7 +257,7 @@ TEST_F(CageFollowsTest, EachFindingOfACertificateIsAProblemOfItsOwn) {
   state.certificate = Certificate{};
   state.certificate->encloses = state.certificate->keeps_distance = true;
   state.certificate->message = "turn 'b'; add one";
-  state.findings = {{"turn 'b'", {5}, {}}, {"add one", {}, Point3{1, 2, 3}}};
+  state.findings = {{"turn 'b'", {5}, {}, true}, {"add one", {}, Point3{1, 2, 3}, true}};
   const std::vector<Problem> problems = problems_of(state, request);
   ASSERT_EQ(problems.size(), 2U);
   EXPECT_EQ(problems[0].sentence, "turn 'b'");
@@ -265,6 +265,20 @@ TEST_F(CageFollowsTest, EachFindingOfACertificateIsAProblemOfItsOwn) {
   EXPECT_EQ(problems[1].sentence, "add one");
   EXPECT_EQ(problems[1].place, (Point3{1, 2, 3}));
   EXPECT_TRUE(problems[0].is_advice && problems[1].is_advice);
+}
+
+// Asked for a distance that it cannot keep, and with a slide that lies across two limbs.
+TEST_F(CageFollowsTest, AdviceBesideAFaultStaysAdvice) {
+  CageState state;
+  state.summary.last_stage = CGW_STAGE_ENCLOSE;
+  state.certificate = Certificate{};
+  state.certificate->encloses = true;
+  state.certificate->message = "not with the distance; turn 'b'";
+  state.findings = {{"not with the distance", {}, {}, false}, {"turn 'b'", {}, {}, true}};
+  const std::vector<Problem> problems = problems_of(state, {});
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_FALSE(problems[0].is_advice);
+  EXPECT_TRUE(problems[1].is_advice);
 }
 
 TEST_F(CageFollowsTest, AModelThatThePluginRefusesIsAProblemAndOpens) {

@@ -444,9 +444,11 @@ typedef struct cgw_finding {
   uint64_t slide_count; /* set: slides that the sentence names */
   uint64_t* slides;     /* slide_count ids, in the order of the slides, or NULL; those that are there no more, too */
   uint64_t slide_capacity;
+  uint32_t is_advice; /* 1: the cage could be better, but has all that was asked for; 0: that is what is missing */
+  uint32_t reserved;
 } cgw_finding;
 #define CGW_FINDING_INIT \
-  { (uint32_t)sizeof(cgw_finding), 0, {0, 0, 0}, NULL, 0, NULL, 0 }
+  { (uint32_t)sizeof(cgw_finding), 0, {0, 0, 0}, NULL, 0, NULL, 0, 0, 0 }
 
 /* How closely a cage fits and how well it is shaped. Lengths are fractions of the diagonal of the model's bounding box,
    angles are radians. What has no meaning is NaN: volume_ratio and coverage where a mesh is not closed, asymmetry where

@@ -2,7 +2,7 @@
 // Triangles are sorted along a Morton curve and every four in a row get a box, every four boxes another (Lauterbach et
 // al., Fast BVH Construction on GPUs, 2009, without the splits). Made and searched three times as fast as
 // Eigen's KdBVH with BVMinimize: see docs/algorithms/measures.md.
-#include "core/measure/surface_tree.h"
+#include "core/enclose/surface_tree.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
