@@ -117,7 +117,6 @@ void MainWindow::update(WorkspaceChange change) {
       show_first_help();
       show_title();
       show_undo();
-      show_paste();
       break;
     case WorkspaceChange::progress:
     case WorkspaceChange::cage:

@@ -92,7 +92,6 @@ class MainWindow : public QMainWindow {
   void finish_command(const nlohmann::json& command);
   void show_title();
   void show_undo();
-  void show_paste();
   void show_progress();
   void show_hint();
 
@@ -148,7 +147,7 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QMenu* recent_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr, *paste_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr;
   QString mirror_axis_;                              // chosen last: "x", "y" or "z"
   std::vector<std::function<void()>> marks_;         // of menus: each sets one as the view is
   std::vector<QAction*> for_scene_, for_selection_;  // enabled only then

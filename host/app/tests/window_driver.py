@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A real window on an X server of its own, steered by real mouse and keyboard events (xdotool) and seen by screenshots
 (ImageMagick). What is where it tells itself, through `--commands`."""
+import ctypes
 import json
 import os
 import select
@@ -91,6 +92,25 @@ class Server:
     def close(self):
         self.process.terminate()
         self.process.wait()
+
+
+class HangingCopy:
+    """A program that has copied something and never answers who asks for it, as one that hangs."""
+
+    def __init__(self, display):
+        self.x11 = ctypes.CDLL('libX11.so.6')
+        for function in (self.x11.XOpenDisplay, self.x11.XDefaultRootWindow, self.x11.XCreateSimpleWindow,
+                         self.x11.XInternAtom, self.x11.XGetSelectionOwner):
+            function.restype = ctypes.c_void_p  # as wide as pointers and X's ids are
+        self.connection = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+        root = ctypes.c_ulong(self.x11.XDefaultRootWindow(self.connection))
+        window = self.x11.XCreateSimpleWindow(self.connection, root, 0, 0, 1, 1, 0, ctypes.c_ulong(0), ctypes.c_ulong(0))
+        clipboard = ctypes.c_ulong(self.x11.XInternAtom(self.connection, b'CLIPBOARD', 0))
+        self.x11.XSetSelectionOwner(self.connection, clipboard, ctypes.c_ulong(window), ctypes.c_ulong(0))
+        assert self.x11.XGetSelectionOwner(self.connection, clipboard) == window
+
+    def close(self):
+        self.x11.XCloseDisplay(self.connection)
 
 
 class Window:
