@@ -96,10 +96,16 @@ class MainWindow : public QMainWindow {
   void show_hint();
 
   bool may_lose_changes();
-  // Whether a scene is opened though another machine's lock says that it is open there; may remove the lock.
-  bool may_open_locked(std::optional<std::filesystem::path>& left);
-  // Nothing: it is not to be opened at all.
-  std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& scene);
+  struct Left {                                 // of a scene that is opened: what was not saved
+    std::optional<std::filesystem::path> file;  // nothing: there is none
+    bool recovers = false;
+  };
+  // Of what is claimed, `opened` itself or a model that is saved as `scene`: about another machine's lock, which it may
+  // remove, and what was not saved. Nothing, here and below: it is not to be opened at all.
+  std::optional<Left> ask_before_opening(const std::filesystem::path& opened, const std::filesystem::path& scene);
+  std::optional<bool> ask_to_remove_lock(const QString& before);  // a sentence that goes before; may be empty
+  std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& opened,
+                                     const std::filesystem::path& scene);
   void choose_file();
   void finish_typing();
   bool wait_for_cage();
