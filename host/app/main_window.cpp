@@ -13,7 +13,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
-#include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUrl>
@@ -231,9 +230,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!may_lose_changes()) return event->ignore();
   recorder_->stop();
   autosave_->discard();
-  QSettings settings;
-  settings.setValue("geometry", saveGeometry());
-  settings.setValue("docks", wide_docks_.value_or(saveState()));
+  save_layout();
   event->accept();
 }
 

@@ -17,6 +17,7 @@
 
 class QAction;
 class QActionGroup;
+class QDockWidget;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
   // Asks about unsaved changes, and whether an autosave is to be recovered.
   void open(const std::filesystem::path& path);
   void set_dark(bool dark);
+  void restore_layout();  // size and panels of when the window was last closed; before it is shown
   // In the status line. A failure's sentence goes when the next thing succeeds, or after a while.
   void say_failure(const std::string& sentence);
   void say_warning(const std::string& sentence);  // of no attempt: it stays for its time
@@ -54,6 +56,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Item {        // of a menu
@@ -73,8 +76,15 @@ class MainWindow : public QMainWindow {
                 const std::function<bool()>& holds);
   void show_marks();
   void make_docks();
-  // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were.
+  bool is_small() const;  // too small for panels on both sides
+  // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were, and are
+  // as high as they were, but what was shown or hidden meanwhile stays so.
   void set_narrow(bool narrow);
+  void show_tab(QDockWidget* dock);  // of a narrow window, in front of the others
+  // Panels and tool bar, by their object names.
+  QStringList shown_panels() const;
+  void show_panels(const QStringList& shown);
+  void save_layout() const;
   void share_heights();  // of the panels above one another
   void make_menus();
   void make_file_menu();
@@ -148,7 +158,9 @@ class MainWindow : public QMainWindow {
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
   bool is_of_command_ = false;                              // what the status line says: it goes with the next command
   bool shows_attempts_failure_ = false;   // in the status line: it goes with the next attempt that succeeds
-  std::optional<QByteArray> wide_docks_;  // saveState() of before it became narrow
+  bool is_narrow_ = false;
+  QByteArray wide_docks_;        // saveState() of when it was last wide
+  bool was_never_wide_ = false;  // and nobody has made the panels as high as they are there
   QLabel *hint_ = nullptr, *stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
