@@ -99,7 +99,17 @@ class MainWindow : public QMainWindow {
   void make_tool_bar();
 
   void update(WorkspaceChange change);
-  void finish_command(const nlohmann::json& command);
+  void finish_command(const nlohmann::json& command, const nlohmann::json& said);
+  // What the status line says, by what makes it go before its time.
+  enum class Said {
+    other,    // nothing does
+    failure,  // the next attempt that succeeds
+    refusal,  // of what was typed: what is typed and taken
+    slide,    // of one that was added: the next command
+  };
+  void say(const std::string& sentence, int milliseconds, Said of);
+  void clear_said(Said of);
+  void say_refusal(const std::string& sentence);  // empty: something that was typed was taken
   void show_title();
   void show_undo();
   void show_progress();
@@ -156,8 +166,7 @@ class MainWindow : public QMainWindow {
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
-  bool is_of_command_ = false;                              // what the status line says: it goes with the next command
-  bool shows_attempts_failure_ = false;   // in the status line: it goes with the next attempt that succeeds
+  Said said_ = Said::other;
   bool is_narrow_ = false;
   QByteArray wide_docks_;        // saveState() of when it was last wide
   bool was_never_wide_ = false;  // and nobody has made the panels as high as they are there

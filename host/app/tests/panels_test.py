@@ -77,6 +77,33 @@ class Panels(WindowTest):
         self.type_into(window, 'slide_radii_0', '0.3')
         self.assertEqual(window.wait_until(lambda s: s['undo'], 'it is taken')['status'], '')
 
+    def test_a_number_that_is_taken_clears_no_sentence_but_a_refusal(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0')
+        self.said(window, 'above 0')
+        window.run('save_copy', path=path('since.glb'))
+        self.type_into(window, 'slide_radii_0', '0.3')
+        state = window.wait_until(lambda s: s['undo'], 'it is taken')
+        self.assertEqual(state['status'], 'Saved a copy as since.glb')
+
+    def test_a_number_that_is_taken_leaves_the_sentence_about_an_autosave_that_failed(self):
+        shutil.copy(path('biped.glb'), path('unsafe.glb'))
+        window = self.open('unsafe.glb', environment={'CAGEWRIGHT_AUTOSAVE_MS': '300'})
+        window.settle()
+        os.mkdir(path('.unsafe.glb.autosave.glb'))  # no file can be put there
+        self.addCleanup(os.rmdir, path('.unsafe.glb.autosave.glb'))
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0')
+        self.said(window, 'above 0')
+        window.run('remove_slides', slides=['brow'])
+        window.run('select', slides=['waist'])
+        self.said(window, 'The autosave failed')
+        self.type_into(window, 'slide_radii_0', '0.3')
+        self.assertIn('The autosave failed',
+                      window.wait_until(lambda s: 'change' in s['undo'], 'it is taken')['status'])
+
     def test_a_cage_that_comes_in_leaves_what_is_selected_in_a_field_to_be_typed_over(self):
         window = self.open()
         window.settle()
