@@ -95,8 +95,8 @@ class Strokes(WindowTest):
         # Fitted to the points alone, nothing is tilted.
         knee = [0.138, 0.3, 0]
         ring = [[knee[0] + 0.06 * math.cos(a), knee[1] + 0.03 * math.cos(a), 0.06 * math.sin(a)]
-                for a in (math.pi * i / 8 for i in range(15))]
-        said = window.run('add_slide', stroke=ring, line_of_sight=[0, 0, -1], complete=False)
+                for a in (math.pi * i / 8 for i in range(16))]
+        said = window.run('add_slide', stroke=ring, line_of_sight=[0.3, -0.6, -1], complete=False)
         self.assertNotIn('tilt', said)
         self.assertEqual(window.state()['status'], '')
 
