@@ -108,8 +108,8 @@ std::string Autosave::put_aside_left(const std::string& what) {
     if (error.code() == std::errc::no_such_file_or_directory)
       return what + " is gone: another program has removed " + file;
     if (std::exchange(told_in_the_way_, true)) return {};
-    return what + " stays in " + file + ", for it could not be put aside: " + error.code().message() +
-           "; until it can be, no autosave is written: Save As gives the scene another name";
+    return what + " stays in " + file + " (" + error.code().message() +
+           "): Save As under another name, here no autosave is written";
   }
 }
 
