@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "host/app/put_aside.h"
+
 namespace cagewright::host {
 namespace fs = std::filesystem;
 namespace {
@@ -34,20 +36,13 @@ fs::path Autosave::file_for(const fs::path& scene) {
   return scene.parent_path() / name;
 }
 
-std::optional<fs::path> Autosave::claim(const fs::path& scene) {
-  if (scene == lock_.scene()) return {};
-  claimed_.take(scene);
-  return left_of_claimed();
+void Autosave::claim(const fs::path& scene) {
+  if (scene != lock_.scene()) claimed_.take(scene);
 }
 
-std::optional<fs::path> Autosave::claim_by_force() {
-  claimed_.take_by_force();
-  return left_of_claimed();
-}
-
-std::optional<fs::path> Autosave::left_of_claimed() const {
-  if (claimed_.is_elsewhere()) return {};
+std::optional<fs::path> Autosave::left_of_claimed(bool is_gone) const {
   const fs::path& scene = claimed_.scene();
+  if (scene.empty() || (claimed_.is_elsewhere() && !is_gone)) return {};
   const fs::path file = file_for(scene);
   std::error_code none;
   const auto written = fs::last_write_time(file, none);
@@ -63,6 +58,7 @@ void Autosave::take_lock() {
   else
     lock_.take(scene_);
   claimed_ = {};
+  told_in_the_way_ = false;
 }
 
 void Autosave::update(WorkspaceChange change) {
@@ -84,46 +80,44 @@ void Autosave::update(WorkspaceChange change) {
 }
 
 bool Autosave::may_write() {
-  if (!lock_.is_elsewhere()) return true;
-  lock_.take_again();
-  if (lock_.is_elsewhere()) return false;
-  put_aside_what_is_left();
-  if (lock_taken_) lock_taken_();
-  return true;
-}
-
-// Of another window that had the scene open and has ended without saving or throwing away.
-void Autosave::put_aside_what_is_left() {
-  std::error_code error;
-  if (!fs::exists(file_for(scene_), error)) return;
-  std::string told = "another window ended before it had saved " + scene_.filename().string() + ": what it had ";
-  try {
-    told += "is in " + put_aside(scene_).filename().string() + " now";
-  } catch (const fs::filesystem_error&) {
-    return;
+  std::string what = "what was not saved before";
+  if (lock_.is_elsewhere()) {
+    lock_.take_again();
+    if (lock_.is_elsewhere()) return false;
+    if (lock_taken_) lock_taken_();
+    what = "another window ended before it had saved " + scene_.filename().string() + ": what it had";
   }
-  if (tell_failure_) tell_failure_(told);
+  // A folder is nothing that an autosave could replace.
+  const auto is_in_the_way = [this] {
+    std::error_code none;
+    return !is_ours_ && fs::is_regular_file(file_for(scene_), none);
+  };
+  if (!is_in_the_way()) return true;
+  const std::string said = put_aside_left(what);
+  if (!said.empty() && tell_failure_) tell_failure_(said);
+  return !is_in_the_way();
 }
 
-fs::path Autosave::free_name_aside(const fs::path& scene) {
-  std::error_code none;
-  fs::path free;
-  for (int number = 1; free.empty() || fs::exists(free, none); ++number)
-    free = scene.parent_path() / (scene.stem().string() + "_recovered_" + std::to_string(number) + ".glb");
-  return free;
-}
-
-fs::path Autosave::put_aside(const fs::path& scene) {
-  fs::path kept = free_name_aside(scene);
-  fs::rename(file_for(scene), kept);
-  return kept;
+std::string Autosave::put_aside_left(const std::string& what) {
+  try {
+    std::string said = what + " is in " + put_aside(file_for(scene_), scene_).filename().string() + " now";
+    told_in_the_way_ = false;
+    return said;
+  } catch (const fs::filesystem_error& error) {
+    const std::string file = file_for(scene_).filename().string();
+    if (error.code() == std::errc::no_such_file_or_directory)
+      return what + " is gone: another program has removed " + file;
+    if (std::exchange(told_in_the_way_, true)) return {};
+    return what + " stays in " + file + " (" + error.code().message() +
+           "): Save As under another name, here no autosave is written";
+  }
 }
 
 void Autosave::write() {
   if (!editor_.workspace().has_scene() || editor_.workspace().is_saved()) return;
-  if (!may_write()) return timer_.start(delay_);
   is_due_ = writer_.joinable();
-  if (is_due_) return;
+  if (is_due_) return;  // what it writes is no other window's
+  if (!may_write()) return timer_.start(delay_);
   std::function<void()> job;
   try {
     job = editor_.workspace().copy_to_write(file_for(scene_));

@@ -17,7 +17,8 @@ namespace cagewright::host {
 // Writes what is not saved yet into a file beside the scene's: "." + its name + ".autosave.glb", which is removed when
 // the scene is saved or closed. What is left there has outlived a crash. Written on a thread of its own: with a million
 // triangles it takes half a second, in which a drag would stand still. Of a scene that another window has open, that
-// one's autosave is left alone: nothing is written here, until it is closed or this one is saved elsewhere.
+// one's autosave is left alone: nothing is written here, until it is closed or this one is saved elsewhere. What was
+// left there by a window that is gone is never written over.
 class Autosave : public QObject {
  public:
   Autosave(Editor& editor, QObject* parent);
@@ -28,21 +29,21 @@ class Autosave : public QObject {
   // Milliseconds after the first change that is not written yet; 0: never. Further changes do not put it off.
   void set_delay(int milliseconds);
   static std::filesystem::path file_for(const std::filesystem::path& scene);
-  // Before a scene is opened: takes its lock, so that no other window asks the same, and returns an autosave that is
-  // newer than the scene, or whose scene is not there. Empty where there is none, or the scene is open already.
-  std::optional<std::filesystem::path> claim(const std::filesystem::path& scene);
+  // Before a scene is opened: takes its lock, so that no other window asks the same. Does nothing where the scene is
+  // open already.
+  void claim(const std::filesystem::path& scene);
   // Whether another window's lock kept it from that, of which nobody can tell if it is still there.
   bool is_claim_doubtful() const { return claimed_.is_doubtful(); }
   const SceneLock& claimed_lock() const { return claimed_; }
-  // The same as claim, once more, where that window is gone: its lock is removed.
-  std::optional<std::filesystem::path> claim_by_force();
+  // The autosave of what was claimed, where it is newer than the scene or the scene is not there. Nothing where there
+  // is none, or where it is that of another window, unless that `is_gone`.
+  std::optional<std::filesystem::path> left_of_claimed(bool is_gone) const;
+  // Removes the lock of that window, which is gone, and claims again. False: see SceneLock::take_by_force.
+  bool claim_by_force() { return claimed_.take_by_force(); }
   void give_up_claim() { claimed_ = {}; }  // it is not opened
-  // Where put_aside would leave the autosave of a scene: NAME_recovered_1.glb beside it, or the next number that is
-  // free.
-  static std::filesystem::path free_name_aside(const std::filesystem::path& scene);
-  // Renames the autosave of a scene, so that it is not offered again, and returns its new name. Throws
-  // std::filesystem::filesystem_error.
-  static std::filesystem::path put_aside(const std::filesystem::path& scene);
+  // Puts aside what is there in the place of the open scene's autosave, so that it is not offered again, and says so:
+  // "WHAT is in NAME now". Where it cannot be, it says why, once, and no autosave is written until it can be.
+  std::string put_aside_left(const std::string& what);
   // No autosave of the open scene any more, where this program has written or recovered one. Waits for what is being
   // written.
   void discard();
@@ -57,18 +58,17 @@ class Autosave : public QObject {
  private:
   void update(WorkspaceChange change);
   void take_lock();  // of scene_
-  std::optional<std::filesystem::path> left_of_claimed() const;
   bool may_write();
-  void put_aside_what_is_left();
   void write();
   void finish_writing();  // waits for it, and tells where it failed
 
   Editor& editor_;
   QTimer timer_;
-  int delay_ = 3000;             // so that with the writing no more than 5 seconds are lost
-  std::filesystem::path scene_;  // that is open
-  SceneLock lock_, claimed_;     // of scene_; of what is to be opened
-  bool is_ours_ = false;         // its autosave was written or recovered here
+  int delay_ = 3000;              // so that with the writing no more than 5 seconds are lost
+  std::filesystem::path scene_;   // that is open
+  SceneLock lock_, claimed_;      // of scene_; of what is to be opened
+  bool is_ours_ = false;          // its autosave was written or recovered here
+  bool told_in_the_way_ = false;  // that another's autosave could not be put aside
   std::function<void(const std::string&)> tell_failure_;
   std::function<void()> lock_taken_;
 

@@ -6,24 +6,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <vector>
-
-#include "host/workspace/tilted_plane.h"
 
 namespace cagewright::host {
 namespace {
 
 using nlohmann::json;
 
-// Of a slide that is not in the plane that its stroke and the line of sight span.
-std::string tilt_text(const json& command, const SceneSlide& slide) {
-  const double tilt =
-      tilt_of(slide.ellipse, command["stroke"].get<std::vector<Point3>>(), command["line_of_sight"].get<Point3>());
-  constexpr double degree = std::numbers::pi / 180;
-  if (tilt < degree) return {};
-  return slide.name + " is tilted by " + std::to_string(std::lround(tilt / degree)) +
-         " degrees: the plane of the stroke itself cuts along the body";
+constexpr char again[] = ": if that is not meant, undo (Ctrl+Z) and draw right across the limb, or from another side";
+
+// Of one whose plane was tilted, by so many degrees.
+std::string tilt_text(double degrees, const SceneSlide& slide) {
+  return slide.name + " is tilted by " + std::to_string(std::lround(degrees)) +
+         " degrees, for the plane of the stroke itself cuts along the body" + again;
 }
 
 // Across a limb that runs along the stroke's plane the loop is the limb's length, not its girth.
@@ -36,14 +30,12 @@ std::string length_text(const json& stroke, const SceneSlide& slide) {
   if (!(ratio > long_ratio)) return {};
   char text[40];
   std::snprintf(text, sizeof text, "%.1f", ratio);
-  return slide.name + " is " + text +
-         " times as long as the stroke: if that is not meant, undo and draw right across the limb, or from another "
-         "side";
+  return slide.name + " is " + text + " times as long as the stroke" + again;
 }
 
 }  // namespace
 
-std::string done_text(const nlohmann::json& command, const Workspace& workspace) {
+std::string done_text(const json& command, const json& said, const Workspace& workspace) {
   const std::string name = command.value("command", "");
   const auto file = [&] { return std::filesystem::path(command.value("path", "")).filename().string(); };
   if (name == "save") return "Saved " + workspace.path().filename().string();
@@ -51,10 +43,10 @@ std::string done_text(const nlohmann::json& command, const Workspace& workspace)
   if (name == "export_cage") return "Exported the cage to " + file();
   if (name == "picture") return "Exported a picture to " + file();
   if (name == "turntable") return "Exported the frames of a turn to " + command.value("folder", "");
-  if (name == "add_slide" && command.contains("line_of_sight") && !workspace.slides().empty()) {
+  const bool is_across = command.contains("line_of_sight") && command.value("complete", true);
+  if (name == "add_slide" && is_across && !workspace.slides().empty()) {
     const SceneSlide& added = *workspace.slides().back();
-    const std::string tilted = tilt_text(command, added);
-    return tilted.empty() ? length_text(command["stroke"], added) : tilted;
+    return said.contains("tilt") ? tilt_text(said["tilt"], added) : length_text(command["stroke"], added);
   }
   return {};
 }

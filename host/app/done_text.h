@@ -10,9 +10,9 @@
 namespace cagewright::host {
 
 // What the status line says after a command that leaves nothing to be seen in the window but a file: "Saved cow.glb".
-// And after a stroke whose slide is much longer than it: "slide 4 is 4.2 times as long as the stroke: ...". Empty for
-// all others.
-std::string done_text(const nlohmann::json& command, const Workspace& workspace);
+// And after a stroke across a limb whose plane was tilted, or whose slide is much longer than it: "slide 4 is 4.2 times
+// as long as the stroke: ...". Empty for all others. `said` is the command's answer.
+std::string done_text(const nlohmann::json& command, const nlohmann::json& said, const Workspace& workspace);
 
 }  // namespace cagewright::host
 

@@ -49,18 +49,17 @@ bool Editor::run_typed(const nlohmann::json& command) {
     refuse_typed(error.what());
     return false;
   }
-  if (std::exchange(has_refused_typed_, false) && tell_warning_) tell_warning_("");
+  if (tell_refusal_) tell_refusal_("");
   return true;
 }
 
 void Editor::refuse_typed(const std::string& sentence) {
-  has_refused_typed_ = true;
-  if (tell_warning_) tell_warning_(sentence);
+  if (tell_refusal_) tell_refusal_(sentence);
 }
 
 nlohmann::json Editor::run_or_throw(const nlohmann::json& command) {
   nlohmann::json said = script_.run(command);
-  if (tell_done_) tell_done_(command);
+  if (tell_done_) tell_done_(command, said);
   return said;
 }
 
@@ -69,7 +68,7 @@ bool Editor::attempt(const std::function<void()>& action) {
   try {
     action();
     // What an attempt within this one has told is not to be taken for done.
-    if (failures_ == failures_before && tell_done_) tell_done_(nullptr);
+    if (failures_ == failures_before && tell_done_) tell_done_(nullptr, nullptr);
     return true;
   } catch (const std::exception& error) {
     ++failures_;

@@ -31,7 +31,7 @@ class Editor {
   // Runs it and lets what it throws through: for scripts.
   nlohmann::json run_or_throw(const nlohmann::json& command);
   // The same as run of what somebody has typed, where the field goes on to the next thing at once: what is refused is
-  // told by a warning, which stays until something that was typed is taken.
+  // told by on_refusal, for a click elsewhere, which succeeds, is no answer to it.
   bool run_typed(const nlohmann::json& command);
   void refuse_typed(const std::string& sentence);  // it did not come to a command
   // The same for what is no command: false where `action` threw one of the host's errors.
@@ -43,10 +43,11 @@ class Editor {
   // only, the last of them always.
   void listen_seldom(Listener listener) { seldom_.push_back(std::move(listener)); }
   void on_failure(std::function<void(const std::string& sentence)> tell) { tell_failure_ = std::move(tell); }
-  // Of no attempt; empty: the one before has had its time.
-  void on_warning(std::function<void(const std::string& sentence)> tell) { tell_warning_ = std::move(tell); }
-  // Told of every command that went well, and, with null, of every attempt in which nothing failed.
-  void on_done(std::function<void(const nlohmann::json& command)> tell) { tell_done_ = std::move(tell); }
+  // Of what was typed; empty: something that was typed is taken, and no refusal before counts any more.
+  void on_refusal(std::function<void(const std::string& sentence)> tell) { tell_refusal_ = std::move(tell); }
+  // Told of every command that went well with its answer, and, with null, of every attempt in which nothing failed.
+  using Done = std::function<void(const nlohmann::json& command, const nlohmann::json& said)>;
+  void on_done(Done tell) { tell_done_ = std::move(tell); }
 
   std::vector<std::string> selected_names() const;
 
@@ -59,10 +60,9 @@ class Editor {
   std::vector<Listener> listeners_, seldom_;
   std::set<WorkspaceChange> pending_;  // of seldom_
   QTimer pending_timer_;
-  std::function<void(const std::string&)> tell_failure_, tell_warning_;
-  std::function<void(const nlohmann::json&)> tell_done_;
-  std::size_t failures_ = 0;        // that were told
-  bool has_refused_typed_ = false;  // and nothing typed was taken since
+  std::function<void(const std::string&)> tell_failure_, tell_refusal_;
+  Done tell_done_;
+  std::size_t failures_ = 0;  // that were told
 };
 
 }  // namespace cagewright::host

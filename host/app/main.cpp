@@ -88,8 +88,7 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   MainWindow window(std::move(plugin), graphics_of(arguments.graphics));
   window.set_dark(arguments.theme ? *arguments.theme == "dark" : QSettings().value("dark", true).toBool());
   application.on_failure([&window](const std::string& sentence) { window.say_failure(sentence); });
-  window.restoreGeometry(QSettings().value("geometry").toByteArray());
-  window.restoreState(QSettings().value("docks").toByteArray());
+  window.restore_layout();
   window.show();
   std::optional<CommandPort> port;
   if (arguments.takes_commands) port.emplace(window);

@@ -13,7 +13,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
-#include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUrl>
@@ -60,9 +59,9 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
       },
       [this](const nlohmann::json& command) { view_->run(command); });
   editor_->on_failure([this](const std::string& sentence) { say_failure(sentence); });
-  editor_->on_warning(
-      [this](const std::string& sentence) { sentence.empty() ? statusBar()->clearMessage() : say_warning(sentence); });
-  editor_->on_done([this](const nlohmann::json& command) { finish_command(command); });
+  editor_->on_refusal([this](const std::string& sentence) { say_refusal(sentence); });
+  editor_->on_done(
+      [this](const nlohmann::json& command, const nlohmann::json& said) { finish_command(command, said); });
   recorder_ = std::make_unique<ScriptRecorder>(*editor_);
   autosave_ = new Autosave(*editor_, this);
   bool is_given = false;
@@ -117,7 +116,6 @@ void MainWindow::update(WorkspaceChange change) {
       show_first_help();
       show_title();
       show_undo();
-      show_paste();
       break;
     case WorkspaceChange::progress:
     case WorkspaceChange::cage:
@@ -192,34 +190,44 @@ void MainWindow::show_hint() {
   hint_->setText(step.isEmpty() ? view_->hint() : step);
 }
 
+void MainWindow::say(const std::string& sentence, int milliseconds, Said of) {
+  statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), milliseconds);
+  said_ = of;
+}
+
+// Nothing where something else was said since.
+void MainWindow::clear_said(Said of) {
+  if (said_ != of) return;
+  statusBar()->clearMessage();
+  said_ = Said::other;
+}
+
 void MainWindow::say_failure(const std::string& sentence) {
-  statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), failure_ms);
-  shows_attempts_failure_ = true;
-  is_of_command_ = false;
+  say(sentence, failure_ms, Said::failure);
   QApplication::beep();
 }
 
 void MainWindow::say_warning(const std::string& sentence) {
-  say_failure(sentence);
-  shows_attempts_failure_ = false;
+  say(sentence, failure_ms, Said::other);
+  QApplication::beep();
 }
 
-void MainWindow::say_done(const std::string& sentence) {
-  statusBar()->showMessage(QString::fromStdString(sentence), done_ms);
-  shows_attempts_failure_ = is_of_command_ = false;
+void MainWindow::say_refusal(const std::string& sentence) {
+  if (sentence.empty()) return clear_said(Said::refusal);
+  say(sentence, failure_ms, Said::refusal);
+  QApplication::beep();
 }
 
-void MainWindow::finish_command(const nlohmann::json& command) {
-  if (!command.is_null() && command.value("command", "") == "save") note_file();
-  const std::string sentence = command.is_null() ? "" : done_text(command, editor_->workspace());
-  if (!sentence.empty()) {
-    say_done(sentence);
-    is_of_command_ = true;
-    return;
-  }
-  if (shows_attempts_failure_ || (is_of_command_ && !command.is_null())) statusBar()->clearMessage();
-  shows_attempts_failure_ = false;
-  if (!command.is_null()) is_of_command_ = false;
+void MainWindow::say_done(const std::string& sentence) { say(sentence, done_ms, Said::other); }
+
+void MainWindow::finish_command(const nlohmann::json& command, const nlohmann::json& said) {
+  clear_said(Said::failure);
+  if (command.is_null()) return;
+  clear_said(Said::slide);
+  const std::string name = command.value("command", "");
+  if (name == "save") note_file();
+  const std::string sentence = done_text(command, said, editor_->workspace());
+  if (!sentence.empty()) say(sentence, done_ms, name == "add_slide" ? Said::slide : Said::other);
 }
 
 void MainWindow::set_dark(bool dark) {
@@ -232,9 +240,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!may_lose_changes()) return event->ignore();
   recorder_->stop();
   autosave_->discard();
-  QSettings settings;
-  settings.setValue("geometry", saveGeometry());
-  settings.setValue("docks", wide_docks_.value_or(saveState()));
+  save_layout();
   event->accept();
 }
 

@@ -17,6 +17,7 @@
 
 class QAction;
 class QActionGroup;
+class QDockWidget;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
   // Asks about unsaved changes, and whether an autosave is to be recovered.
   void open(const std::filesystem::path& path);
   void set_dark(bool dark);
+  void restore_layout();  // size and panels of when the window was last closed; before it is shown
   // In the status line. A failure's sentence goes when the next thing succeeds, or after a while.
   void say_failure(const std::string& sentence);
   void say_warning(const std::string& sentence);  // of no attempt: it stays for its time
@@ -54,6 +56,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Item {        // of a menu
@@ -73,8 +76,15 @@ class MainWindow : public QMainWindow {
                 const std::function<bool()>& holds);
   void show_marks();
   void make_docks();
-  // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were.
+  bool is_small() const;  // too small for panels on both sides
+  // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were, and are
+  // as high as they were, but what was shown or hidden meanwhile stays so.
   void set_narrow(bool narrow);
+  void show_tab(QDockWidget* dock);  // of a narrow window, in front of the others
+  // Panels and tool bar, by their object names.
+  QStringList shown_panels() const;
+  void show_panels(const QStringList& shown);
+  void save_layout() const;
   void share_heights();  // of the panels above one another
   void make_menus();
   void make_file_menu();
@@ -89,18 +99,33 @@ class MainWindow : public QMainWindow {
   void make_tool_bar();
 
   void update(WorkspaceChange change);
-  void finish_command(const nlohmann::json& command);
+  void finish_command(const nlohmann::json& command, const nlohmann::json& said);
+  // What the status line says, by what makes it go before its time.
+  enum class Said {
+    other,    // nothing does
+    failure,  // the next attempt that succeeds
+    refusal,  // of what was typed: what is typed and taken
+    slide,    // of one that was added: the next command
+  };
+  void say(const std::string& sentence, int milliseconds, Said of);
+  void clear_said(Said of);
+  void say_refusal(const std::string& sentence);  // empty: something that was typed was taken
   void show_title();
   void show_undo();
-  void show_paste();
   void show_progress();
   void show_hint();
 
   bool may_lose_changes();
-  // Whether a scene is opened though another machine's lock says that it is open there; may remove the lock.
-  bool may_open_locked(std::optional<std::filesystem::path>& left);
-  // Nothing: it is not to be opened at all.
-  std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& scene);
+  struct Left {                                 // of a scene that is opened: what was not saved
+    std::optional<std::filesystem::path> file;  // nothing: there is none
+    bool recovers = false;
+  };
+  // Of what is claimed, `opened` itself or a model that is saved as `scene`: about another machine's lock, which it may
+  // remove, and what was not saved. Nothing, here and below: it is not to be opened at all.
+  std::optional<Left> ask_before_opening(const std::filesystem::path& opened, const std::filesystem::path& scene);
+  std::optional<bool> ask_to_remove_lock(const QString& before);  // a sentence that goes before; may be empty
+  std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& opened,
+                                     const std::filesystem::path& scene);
   void choose_file();
   void finish_typing();
   bool wait_for_cage();
@@ -141,14 +166,15 @@ class MainWindow : public QMainWindow {
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
-  bool is_of_command_ = false;                              // what the status line says: it goes with the next command
-  bool shows_attempts_failure_ = false;   // in the status line: it goes with the next attempt that succeeds
-  std::optional<QByteArray> wide_docks_;  // saveState() of before it became narrow
+  Said said_ = Said::other;
+  bool is_narrow_ = false;
+  QByteArray wide_docks_;        // saveState() of when it was last wide
+  bool was_never_wide_ = false;  // and nobody has made the panels as high as they are there
   QLabel *hint_ = nullptr, *stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QMenu* recent_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr, *paste_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr;
   QString mirror_axis_;                              // chosen last: "x", "y" or "z"
   std::vector<std::function<void()>> marks_;         // of menus: each sets one as the view is
   std::vector<QAction*> for_scene_, for_selection_;  // enabled only then

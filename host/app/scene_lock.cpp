@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/scene_lock.h"
 
-#include <QString>
 #include <QSysInfo>
 #include <string>
 
@@ -24,6 +23,7 @@ std::unique_ptr<QLockFile> lock_of(const std::filesystem::path& scene) {
 
 void SceneLock::take(const std::filesystem::path& scene) {
   file_.reset();
+  holder_.reset();
   is_elsewhere_ = false;
   scene_ = scene;
   if (scene.empty()) return;
@@ -33,30 +33,39 @@ void SceneLock::take(const std::filesystem::path& scene) {
 }
 
 void SceneLock::take_again() {
-  if (is_elsewhere_) is_elsewhere_ = !file_->tryLock() && file_->error() == QLockFile::LockFailedError;
+  if (!is_elsewhere_) return;
+  is_elsewhere_ = !file_->tryLock() && file_->error() == QLockFile::LockFailedError;
+  holder_ = is_elsewhere_ ? read_holder() : std::nullopt;
+}
+
+std::optional<SceneLock::Holder> SceneLock::read_holder() const {
+  Holder holder;
+  if (!file_->getLockInfo(&holder.process, &holder.machine, &holder.program)) return {};
+  return holder;
 }
 
 bool SceneLock::is_doubtful() const {
-  qint64 process = 0;
-  QString machine, program;
-  return is_elsewhere_ && (!file_->getLockInfo(&process, &machine, &program) || machine != QSysInfo::machineHostName());
+  return is_elsewhere_ && (!holder_ || holder_->machine != QSysInfo::machineHostName());
 }
 
-void SceneLock::take_by_force() {
-  file_->removeStaleLockFile();
+bool SceneLock::take_by_force() {
+  if (read_holder() == holder_) file_->removeStaleLockFile();
   take_again();
+  return !is_elsewhere_;
 }
 
 std::filesystem::path SceneLock::file() const { return file_name(scene_); }
 
 std::string SceneLock::holder() const {
-  qint64 process = 0;
-  QString machine, program;
   std::string file = "(";
   file.append(this->file().filename().string()).append(")");
-  if (!file_ || !file_->getLockInfo(&process, &machine, &program)) return file;
+  if (!holder_) return file;
   std::string who = "process ";
-  return who.append(std::to_string(process)).append(" on ").append(machine.toStdString()).append(" ").append(file);
+  return who.append(std::to_string(holder_->process))
+      .append(" on ")
+      .append(holder_->machine.toStdString())
+      .append(" ")
+      .append(file);
 }
 
 }  // namespace cagewright::host

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The panels round the view, and where they are in a window that is too small for all of them.
 #include <QDockWidget>
+#include <QEvent>
+#include <QRegularExpression>
 #include <QScrollArea>
+#include <QSettings>
 #include <QTabWidget>
+#include <utility>
 
 #include "host/app/main_window.h"
 #include "host/app/outliner.h"
@@ -16,6 +20,7 @@ namespace cagewright::host {
 namespace {
 
 constexpr int dock_width = 290;
+constexpr char panel_names[] = "^(\\w+_dock|tool_bar)$";  // what can be hidden
 // With panels on both sides; below, the view would have less than they.
 constexpr QSize least_wide(4 * dock_width + 40, 600);
 
@@ -51,7 +56,10 @@ void MainWindow::make_docks() {
   tabs_->addTab(scrolled(new ParameterPanel(*editor_, this)), "Cage");
   dock("attributes_dock", "Attributes", tabs_, Qt::RightDockWidgetArea);
   dock("report_dock", "Report", scrolled(new ReportPanel(*editor_, this)), Qt::RightDockWidgetArea);
-  for (QDockWidget* widget : findChildren<QDockWidget*>()) widget->setMinimumWidth(dock_width);
+  for (QDockWidget* widget : findChildren<QDockWidget*>()) {
+    widget->setMinimumWidth(dock_width);
+    widget->installEventFilter(this);
+  }
   share_heights();
   resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
 }
@@ -63,23 +71,40 @@ void MainWindow::share_heights() {
               Qt::Vertical);
 }
 
+bool MainWindow::is_small() const { return width() < least_wide.width() || height() < least_wide.height(); }
+
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  const bool is_narrow = width() < least_wide.width() || height() < least_wide.height();
   // Not within the event: it is of a layout that this changes.
-  if (is_narrow != wide_docks_.has_value())
-    QTimer::singleShot(0, this, [this] { set_narrow(width() < least_wide.width() || height() < least_wide.height()); });
+  if (is_small() != is_narrow_) QTimer::singleShot(0, this, [this] { set_narrow(is_small()); });
+}
+
+// Of the panels. A window that becomes small presses them together before it is told: what they were is noted each time
+// that one is laid out.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  auto* dock = qobject_cast<QDockWidget*>(watched);
+  const QEvent::Type type = event->type();
+  if (dock && type == QEvent::ShowToParent && is_narrow_) QTimer::singleShot(0, dock, [this, dock] { show_tab(dock); });
+  if (dock && (type == QEvent::Resize || type == QEvent::Move))
+    QTimer::singleShot(0, this, [this] {
+      if (!is_narrow_ && !is_small() && isVisible()) wide_docks_ = saveState();
+    });
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::set_narrow(bool narrow) {
-  if (narrow == wide_docks_.has_value()) return;
+  if (narrow == is_narrow_) return;
   if (!narrow) {
-    restoreState(*wide_docks_);
-    share_heights();  // those of the state are of the window when it had just become small
-    wide_docks_.reset();
+    const QStringList shown = shown_panels();
+    is_narrow_ = false;
+    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
+    restoreState(wide_docks_);
+    if (std::exchange(was_never_wide_, false)) share_heights();
+    show_panels(shown);
     return;
   }
-  wide_docks_ = saveState();
+  was_never_wide_ = wide_docks_.isEmpty();
+  if (was_never_wide_) wide_docks_ = saveState();
   setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West);  // above one another: side by side they would be cut off
   QDockWidget* first = nullptr;
   for (const char* name : {"outliner_dock", "problems_dock", "attributes_dock", "report_dock"}) {
@@ -91,9 +116,49 @@ void MainWindow::set_narrow(bool narrow) {
     else
       first = dock;
   }
+  is_narrow_ = true;
   if (!first) return;
   first->raise();
   resizeDocks({first}, {dock_width}, Qt::Horizontal);
+}
+
+void MainWindow::show_tab(QDockWidget* dock) {
+  if (!is_narrow_ || dock->isFloating() || dock->isHidden()) return;
+  addDockWidget(Qt::LeftDockWidgetArea, dock);
+  for (QDockWidget* other : findChildren<QDockWidget*>())
+    if (other != dock && !other->isFloating() && !other->isHidden()) {
+      tabifyDockWidget(other, dock);
+      break;
+    }
+  dock->raise();
+  resizeDocks({dock}, {dock_width}, Qt::Horizontal);
+}
+
+QStringList MainWindow::shown_panels() const {
+  QStringList shown;
+  for (const QWidget* panel : findChildren<QWidget*>(QRegularExpression(panel_names)))
+    if (!panel->isHidden()) shown.append(panel->objectName());
+  return shown;
+}
+
+void MainWindow::show_panels(const QStringList& shown) {
+  for (QWidget* panel : findChildren<QWidget*>(QRegularExpression(panel_names)))
+    panel->setVisible(shown.contains(panel->objectName()));
+}
+
+void MainWindow::save_layout() const {
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+  if (!was_never_wide_) settings.setValue("docks", is_narrow_ ? wide_docks_ : saveState());
+  settings.setValue("panels", shown_panels());
+}
+
+void MainWindow::restore_layout() {
+  const QSettings settings;
+  restoreGeometry(settings.value("geometry").toByteArray());
+  const QByteArray docks = settings.value("docks").toByteArray();
+  if (restoreState(docks)) wide_docks_ = docks;
+  if (settings.contains("panels")) show_panels(settings.value("panels").toStringList());
 }
 
 }  // namespace cagewright::host

@@ -41,7 +41,8 @@ std::optional<fs::file_time_type> time_of(const fs::path& file) {
 }
 QString text_of(const fs::path& path) { return QString::fromStdString(path.string()); }
 
-// Those on the clipboard; empty: it holds something else, or nothing.
+// Those on the clipboard; empty: it holds something else, or nothing. Only where somebody pastes: its owner is another
+// program, for whose answer the window waits, and one that hangs takes 15 seconds.
 json copied_slides() {
   const QString text = QApplication::clipboard()->text();
   if (!text.trimmed().startsWith('{')) return json::array();  // most of what people copy
@@ -234,9 +235,10 @@ void MainWindow::copy_slides() {
 
 void MainWindow::paste_slides() {
   const json slides = copied_slides();
-  if (!slides.empty()) editor_->run({{"command", "paste_slides"}, {"slides", slides}});
+  if (slides.empty())
+    return say_failure(
+        "The clipboard holds no slides: select some, here or in another window, and copy them with Ctrl+C first.");
+  editor_->run({{"command", "paste_slides"}, {"slides", slides}});
 }
-
-void MainWindow::show_paste() { paste_->setEnabled(editor_->workspace().has_scene() && !copied_slides().empty()); }
 
 }  // namespace cagewright::host

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
-#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QMenu>
@@ -117,9 +116,9 @@ void MainWindow::make_edit_menu() {
                                       "Copies the selected slides, also for another "
                                       "scene",
                                       [this] { copy_slides(); }}));
-  paste_ = add(menu, {"paste", "&Paste Slides", "Ctrl+V", "Adds the slides that were copied, here or in another window",
-                      [this] { paste_slides(); }});
-  connect(QApplication::clipboard(), &QClipboard::dataChanged, this, [this] { show_paste(); });
+  for_scene_.push_back(
+      add(menu, {"paste", "&Paste Slides", "Ctrl+V", "Adds the slides that were copied, here or in another window",
+                 [this] { paste_slides(); }}));
   add_for_selection(menu, "duplicate", "&Duplicate Slides", "Ctrl+D", "Adds a copy of each selected slide beside it",
                     {{"command", "duplicate_slides"}});
   add_for_selection(menu, "delete", "De&lete Slides", "Del, Backspace", "Removes the selected slides",

@@ -7,6 +7,7 @@
 
 #include "host/app/age_text.h"
 #include "host/app/main_window.h"
+#include "host/app/put_aside.h"
 #include "host/scene/scene_names.h"
 
 namespace cagewright::host {
@@ -23,6 +24,23 @@ std::chrono::seconds age_of(const fs::path& file) {
   return std::chrono::duration_cast<std::chrono::seconds>(fs::file_time_type::clock::now() - time);
 }
 
+// What No does where it is asked whether to recover `left` of a scene.
+QString no_text(const fs::path& left, const fs::path& opened, const fs::path& scene) {
+  std::error_code none;
+  const bool is_saved = fs::exists(scene, none), is_model = opened != scene;
+  if (!is_saved && !is_model)
+    return QString("%1 itself is not there: No opens nothing, and leaves what was not saved in %2.")
+        .arg(text_of(scene.filename()), text_of(left.filename()));
+  QString opens = "the scene as it was saved";
+  if (is_model && is_saved)
+    opens = QString("the model %1 alone, without what was saved in %2")
+                .arg(text_of(opened.filename()), text_of(scene.filename()));
+  else if (is_model)
+    opens = "the model, of which no scene was saved";
+  return QString("No opens %1, and keeps what was not saved beside it, as %2.")
+      .arg(opens, text_of(free_name_aside(scene).filename()));
+}
+
 }  // namespace
 
 void MainWindow::open(const fs::path& path) {
@@ -30,15 +48,11 @@ void MainWindow::open(const fs::path& path) {
   const fs::path scene = fs::absolute(path);
   fs::path saved_as = scene;
   if (!is_scene_name(scene)) saved_as.replace_extension(".glb");
-  std::optional<fs::path> left = autosave_->claim(saved_as);
-  if (!may_open_locked(left)) return autosave_->give_up_claim();
-  bool recovers = false;
-  if (left) {
-    const std::optional<bool> answer = ask_to_recover(*left, saved_as);
-    if (!answer) return autosave_->give_up_claim();
-    recovers = *answer;
-  }
-  const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
+  autosave_->claim(saved_as);
+  const std::optional<Left> answer = ask_before_opening(scene, saved_as);
+  if (!answer) return autosave_->give_up_claim();
+  const bool recovers = answer->recovers;
+  const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*answer->file, saved_as); })
                                 : editor_->run({{"command", "open"}, {"path", scene.string()}});
   if (!is_open) return autosave_->give_up_claim();
   remember(scene);
@@ -48,45 +62,55 @@ void MainWindow::open(const fs::path& path) {
   if (autosave_->is_open_elsewhere())
     add(saved_as.filename().string() + " is open in another window, too, " + autosave_->open_elsewhere_by() +
         ": who saves last wins, and only there changes survive a crash. Save As gives it a name of its own");
-  if (left && !recovers) {
-    try {
-      add("what was not saved before is in " + Autosave::put_aside(saved_as).filename().string());
-    } catch (const fs::filesystem_error& error) {
-      add("what was not saved before could not be put aside: " + error.code().message());
-    }
-  }
+  if (answer->file && !recovers) add(autosave_->put_aside_left("what was not saved before"));
   for (const std::string& note : editor_->workspace().notes()) add(note);
   if (!notes.empty()) say_warning(notes);
 }
 
-bool MainWindow::may_open_locked(std::optional<fs::path>& left) {
-  if (!autosave_->is_claim_doubtful()) return true;
+// The other machine's lock is removed last: until everything is answered, all stays as it was.
+std::optional<MainWindow::Left> MainWindow::ask_before_opening(const fs::path& opened, const fs::path& scene) {
+  QString before;
+  for (;;) {
+    const bool is_doubtful = autosave_->is_claim_doubtful();
+    const std::string holder = is_doubtful ? autosave_->claimed_lock().holder() : "";
+    const std::optional<bool> removes_lock = is_doubtful ? ask_to_remove_lock(before) : false;
+    if (!removes_lock) return {};
+    Left left{autosave_->left_of_claimed(*removes_lock)};
+    if (left.file) {
+      const std::optional<bool> recovers = ask_to_recover(*left.file, opened, scene);
+      if (!recovers) return {};
+      left.recovers = *recovers;
+    }
+    if (!*removes_lock || autosave_->claim_by_force()) return left;
+    before = autosave_->claimed_lock().holder() == holder ? "That lock could not be removed. "
+                                                          : "Since you were asked another window has taken the lock. ";
+  }
+}
+
+std::optional<bool> MainWindow::ask_to_remove_lock(const QString& before) {
   const SceneLock& lock = autosave_->claimed_lock();
   QMessageBox box(QMessageBox::Question, "Open elsewhere?",
-                  QString("%1 may be open in another window, %2.")
-                      .arg(text_of(lock.scene().filename()), QString::fromStdString(lock.holder())),
+                  before + QString("%1 may be open in another window, %2.")
+                               .arg(text_of(lock.scene().filename()), QString::fromStdString(lock.holder())),
                   QMessageBox::Cancel, this);
   box.setInformativeText(
       QString("Whether that window is still there cannot be told from this machine. Where it is gone, remove its lock, "
-              "%1: else no autosave is written here. Where it is not, who saves last wins.")
+              "%1: else no autosave is written here. Where it is not, who saves last wins; and with the lock removed "
+              "the two windows write over each other's autosave, too.")
           .arg(text_of(lock.file())));
   QPushButton* anyway = box.addButton("Open Anyway", QMessageBox::AcceptRole);
   QPushButton* removing = box.addButton("Remove Lock and Open", QMessageBox::AcceptRole);
   box.setDefaultButton(anyway);
   box.exec();
-  if (box.clickedButton() == removing) left = autosave_->claim_by_force();
-  return box.clickedButton() == removing || box.clickedButton() == anyway;
+  if (box.clickedButton() != removing && box.clickedButton() != anyway) return {};
+  return box.clickedButton() == removing;
 }
 
-std::optional<bool> MainWindow::ask_to_recover(const fs::path& left, const fs::path& scene) {
-  std::error_code none;
+std::optional<bool> MainWindow::ask_to_recover(const fs::path& left, const fs::path& opened, const fs::path& scene) {
   const auto answer = QMessageBox::question(
       this, "Recover changes?",
-      QString("The program ended before %1 was saved. What was not saved was last written %2. Recover it?\n\n"
-              "No opens %3, and keeps what was not saved beside it, as %4.")
-          .arg(text_of(scene.filename()), QString::fromStdString(age_text(age_of(left))),
-               fs::exists(scene, none) ? "the scene as it was saved" : "the model, of which no scene was saved",
-               text_of(Autosave::free_name_aside(scene).filename())),
+      QString("The program ended before %1 was saved. What was not saved was last written %2. Recover it?\n\n%3")
+          .arg(text_of(scene.filename()), QString::fromStdString(age_text(age_of(left))), no_text(left, opened, scene)),
       QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
   if (answer == QMessageBox::Cancel) return {};
   return answer == QMessageBox::Yes;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <numbers>
+
 #include "host/file/file_error.h"
 #include "host/workspace/script_command.h"
 
@@ -31,12 +33,18 @@ ScriptJson add_slide(ScriptContext& context, const ScriptArguments& arguments) {
   const std::string way = way_of(arguments);
   const std::string name = arguments.text("name");
   std::int64_t id = -1;
+  double tilt = 0;
   if (way == "stroke") {
     const bool is_complete = arguments.flag("complete", arguments.has("line_of_sight"));
     if (is_complete && !arguments.has("line_of_sight")) arguments.fail("\"complete\" needs \"line_of_sight\"");
     const std::vector<Point3> stroke = arguments.points("stroke");
-    id = is_complete ? workspace.add_slide_across(stroke, arguments.point("line_of_sight"), name)
-                     : workspace.add_slide({name, Slide::Stroke{stroke}});
+    if (is_complete) {
+      const Workspace::SlideAcross added = workspace.add_slide_across(stroke, arguments.point("line_of_sight"), name);
+      id = added.id;
+      tilt = added.tilt;
+    } else {
+      id = workspace.add_slide({name, Slide::Stroke{stroke}});
+    }
   } else if (way == "point") {
     const Point3 point = arguments.point("point");
     id = arguments.has("normal") ? workspace.add_slide({name, Slide::PointNormal{point, arguments.point("normal")}})
@@ -46,7 +54,9 @@ ScriptJson add_slide(ScriptContext& context, const ScriptArguments& arguments) {
     id = workspace.add_slide(
         {name, Slide::Ellipse{arguments.point("center"), arguments.point("u"), arguments.point("v")}});
   }
-  return {{"slide", workspace.document().find_slide(id)->name}};
+  ScriptJson said = {{"slide", workspace.document().find_slide(id)->name}};
+  if (tilt > 0) said["tilt"] = tilt * 180 / std::numbers::pi;
+  return said;
 }
 
 ScriptJson extend_stroke(ScriptContext& context, const ScriptArguments& arguments) {
@@ -97,7 +107,7 @@ std::vector<ScriptCommand> script_slide_commands() {
        "Adds a slide: of a stroke (with a line of sight: the loop of the plane that holds both; else the ellipse of "
        "the "
        "points alone), of a point (the plane across the limb there, or with that normal), or of an ellipse; says its "
-       "name",
+       "name and, where the plane of a stroke was tilted, by how many degrees",
        add_slide},
       {"extend_stroke",
        {{"slide", Kind::text, true}, {"points", Kind::points, true}},

@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "host/command/command.h"
+#include "host/workspace/point_vector.h"
 
 namespace cagewright::host {
 namespace {
 
 using Vector = Eigen::Vector3d;
-
-Vector vector(const Point3& point) { return Vector::Map(point.data()); }
-Point3 point(const Vector& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 const Point3& middle_of(const std::vector<Point3>& stroke) {
   std::vector<double> lengths(stroke.size(), 0);

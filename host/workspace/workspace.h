@@ -90,8 +90,12 @@ class Workspace {
   std::int64_t add_slide(const Slide& slide);  // of any kind: fitted first; a stroke is kept with the slide
   // A stroke on the surface and the line of sight (towards the model): the plane holds both, or is tilted where that
   // runs along the body (tilted_plane.h); its loop is fitted.
-  std::int64_t add_slide_across(const std::vector<Point3>& stroke, const Point3& line_of_sight,
-                                const std::string& name = "");
+  struct SlideAcross {
+    std::int64_t id;
+    double tilt;  // radians; 0: the plane holds both
+  };
+  SlideAcross add_slide_across(const std::vector<Point3>& stroke, const Point3& line_of_sight,
+                               const std::string& name = "");
   void extend_stroke(std::int64_t id, const std::vector<Point3>& points);  // adds to the stroke it has, fits again
   void change_slides(const std::vector<std::pair<std::int64_t, Slide::Ellipse>>& slides, const std::string& label);
   void rename_slide(std::int64_t id, const std::string& name);

@@ -90,11 +90,12 @@ std::int64_t Workspace::add_slide(const Slide& slide) {
   return additions.ids().front();
 }
 
-std::int64_t Workspace::add_slide_across(const std::vector<Point3>& stroke, const Point3& line_of_sight,
-                                         const std::string& name) {
+Workspace::SlideAcross Workspace::add_slide_across(const std::vector<Point3>& stroke, const Point3& line_of_sight,
+                                                   const std::string& name) {
   static_cast<void>(state_->scene_with_mesh());
   const auto fit_plane = [this](const Slide::PointNormal& plane) { return fit({"", plane}); };
-  return add_slide({name, tilted_plane(stroke, line_of_sight, fit_plane)});
+  const TiltedPlane tilted = tilted_plane(stroke, line_of_sight, fit_plane);
+  return {add_slide({name, tilted.plane}), tilted.tilt};
 }
 
 void Workspace::extend_stroke(std::int64_t id, const std::vector<Point3>& points) {

@@ -6,12 +6,13 @@
 The program that files are dragged from is beside PROGRAM.
 """
 import json
+import math
 import os
 import subprocess
 import time
 
 import window_case
-from window_case import path, PROGRAM, run_tests, setUpModule, tearDownModule, WindowTest
+from window_case import middle, path, PROGRAM, run_tests, setUpModule, tearDownModule, WindowTest
 
 
 class Dropping(WindowTest):
@@ -80,6 +81,23 @@ class Strokes(WindowTest):
         window.wait_until(lambda s: not s['slides'], 'it is taken back')
         window.drag(list(self.leg(window)[:2]))
         window.wait_until(lambda s: len(s['slides']) == 1, 'the stroke makes a slide')
+        self.assertEqual(window.state()['status'], '')
+
+    def test_a_slide_that_was_tilted_is_told_and_what_to_do_where_that_is_not_meant(self):
+        window = self.open()
+        window.settle()
+        begin, end = [0.142, 1.437, 0.03], [0.25, 1.35, 0.03]  # across the shoulder, askew
+        stroke = {'stroke': [middle(begin, end, i / 6) for i in range(7)], 'line_of_sight': [0.35, -0.06, -1]}
+        self.assertAlmostEqual(window.run('add_slide', **stroke)['tilt'], 20, 6)
+        self.assertRegex(window.state()['status'], r'^slide 1 is tilted by 20 degrees, for .* undo \(Ctrl\+Z\) and draw')
+        window.key('ctrl+z')
+        self.assertEqual(window.wait_until(lambda s: not s['slides'], 'it is taken back')['status'], '')
+        # Fitted to the points alone, nothing is tilted.
+        knee = [0.138, 0.3, 0]
+        ring = [[knee[0] + 0.06 * math.cos(a), knee[1] + 0.03 * math.cos(a), 0.06 * math.sin(a)]
+                for a in (math.pi * i / 8 for i in range(16))]
+        said = window.run('add_slide', stroke=ring, line_of_sight=[0.3, -0.6, -1], complete=False)
+        self.assertNotIn('tilt', said)
         self.assertEqual(window.state()['status'], '')
 
     def length(self, vector):

@@ -3,11 +3,12 @@
 
     python3 panels_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
 """
+import os
 import shutil
 import tempfile
 import time
 
-from window_case import run_tests, setUpModule, tearDownModule, WindowTest
+from window_case import path, run_tests, setUpModule, tearDownModule, WindowTest
 
 
 class Panels(WindowTest):
@@ -76,6 +77,33 @@ class Panels(WindowTest):
         self.type_into(window, 'slide_radii_0', '0.3')
         self.assertEqual(window.wait_until(lambda s: s['undo'], 'it is taken')['status'], '')
 
+    def test_a_number_that_is_taken_clears_no_sentence_but_a_refusal(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0')
+        self.said(window, 'above 0')
+        window.run('save_copy', path=path('since.glb'))
+        self.type_into(window, 'slide_radii_0', '0.3')
+        state = window.wait_until(lambda s: s['undo'], 'it is taken')
+        self.assertEqual(state['status'], 'Saved a copy as since.glb')
+
+    def test_a_number_that_is_taken_leaves_the_sentence_about_an_autosave_that_failed(self):
+        shutil.copy(path('biped.glb'), path('unsafe.glb'))
+        window = self.open('unsafe.glb', environment={'CAGEWRIGHT_AUTOSAVE_MS': '300'})
+        window.settle()
+        os.mkdir(path('.unsafe.glb.autosave.glb'))  # no file can be put there
+        self.addCleanup(os.rmdir, path('.unsafe.glb.autosave.glb'))
+        window.run('select', slides=['waist'])
+        self.type_into(window, 'slide_radii_0', '0')
+        self.said(window, 'above 0')
+        window.run('remove_slides', slides=['brow'])
+        window.run('select', slides=['waist'])
+        self.said(window, 'The autosave failed')
+        self.type_into(window, 'slide_radii_0', '0.3')
+        self.assertIn('The autosave failed',
+                      window.wait_until(lambda s: 'change' in s['undo'], 'it is taken')['status'])
+
     def test_a_cage_that_comes_in_leaves_what_is_selected_in_a_field_to_be_typed_over(self):
         window = self.open()
         window.settle()
@@ -118,9 +146,13 @@ class Sizes(WindowTest):
     scene = 'biped.glb'
     panels = ('outliner', 'problems', 'tabs', 'report')
 
+    def shown(self, window):
+        """Also behind other tabs."""
+        return [name for name in self.panels if window.ask(command='where', widget=name)['ok']]
+
     def seen(self, window):
-        at = {name: window.where(widget=name) for name in self.panels}
-        return [name for name in self.panels if at[name]['x'] >= 0 and at[name]['y'] >= 0]  # hidden tabs are off the screen
+        at = {name: window.where(widget=name) for name in self.shown(window)}
+        return [name for name in at if at[name]['x'] >= 0 and at[name]['y'] >= 0]  # hidden tabs are off the screen
 
     def share(self, window):
         """Of the window's width and height that the view has."""
@@ -153,6 +185,97 @@ class Sizes(WindowTest):
             self.assertEqual(len(self.seen(window)), 1)
         self.assertEqual(opened, set(self.panels))
         window.shot('small_last_tab')
+
+    def toggle(self, window, name):
+        """View > Panels."""
+        window.focus('main_window')
+        window.key('alt+v', 'n', *['Down'] * self.panels.index(name), 'Return')
+        time.sleep(0.5)  # it moves into its place
+
+    def heights(self, window):
+        at = {name: window.ask(command='where', widget=name + '_dock')
+              for name in ('outliner', 'problems', 'attributes', 'report')}
+        return {name: at[name]['height'] for name in at if at[name]['ok']}
+
+    def drag_down(self, window, upper, by):
+        """The border below a panel."""
+        at = window.where(widget=upper)
+        x, y = at['x'] + at['width'] / 2, at['y'] + at['height'] + 2
+        window.drag([(x, y), (x, y + by)])
+        time.sleep(0.3)
+
+    def test_a_panel_that_was_hidden_and_is_shown_in_a_small_window_is_a_tab_and_stays(self):
+        window = self.open()
+        window.settle()
+        self.toggle(window, 'outliner')
+        self.assertEqual(self.shown(window), ['problems', 'tabs', 'report'])
+        window.resize(700, 500)
+        self.toggle(window, 'outliner')
+        window.shot('small_shown')
+        self.assertEqual(self.seen(window), ['outliner'])
+        window.resize(1400, 900)
+        self.assertEqual(self.shown(window), list(self.panels))
+        window.shot('large_shown')
+        outliner, problems = window.where(widget='outliner_dock'), window.where(widget='problems_dock')
+        self.assertLess(outliner['y'] + outliner['height'], problems['y'] + 1)
+
+    def test_the_only_panel_of_a_small_window_can_be_hidden_and_shown(self):
+        window = self.open()
+        window.settle()
+        for name in ('problems', 'tabs', 'report'):
+            self.toggle(window, name)
+        window.resize(700, 500)
+        self.toggle(window, 'outliner')
+        self.assertEqual(self.shown(window), [])
+        self.toggle(window, 'tabs')
+        self.assertEqual(self.seen(window), ['tabs'])
+        self.toggle(window, 'report')
+        self.assertEqual(self.seen(window), ['report'])
+        window.resize(1400, 900)
+        self.assertEqual(self.seen(window), ['tabs', 'report'])
+
+    def test_a_panel_that_is_hidden_in_a_small_window_stays_so(self):
+        window = self.open()
+        window.settle()
+        window.resize(700, 500)
+        self.toggle(window, 'problems')
+        window.resize(1400, 900)
+        self.assertEqual(self.shown(window), ['outliner', 'tabs', 'report'])
+        window.resize(700, 500)
+        self.toggle(window, 'problems')
+        window.resize(1400, 900)
+        self.assertEqual(self.seen(window), list(self.panels))
+
+    def test_panels_are_as_high_as_they_were_once_the_window_is_as_large_as_it_was(self):
+        window = self.open()
+        window.settle()
+        self.drag_down(window, 'outliner_dock', 150)
+        self.drag_down(window, 'attributes_dock', -80)
+        before = self.heights(window)
+        self.assertGreater(before['outliner'], before['problems'] + 100)
+        for size in ((700, 500), (1400, 560), (1000, 900)):
+            with self.subTest(size):
+                window.resize(*size)
+                window.resize(1400, 900)
+                self.assertEqual(self.heights(window), before)
+
+    def test_what_was_done_to_panels_is_there_after_the_window_was_closed_small(self):
+        home = tempfile.mkdtemp(prefix='cagewright-home-')
+        self.addCleanup(shutil.rmtree, home, True)
+        window = self.open(home=home)
+        window.settle()
+        self.drag_down(window, 'attributes_dock', -80)
+        before = self.heights(window)
+        window.resize(700, 500)
+        self.toggle(window, 'problems')
+        window.key('ctrl+q')
+        self.assertEqual(window.process.wait(20), 0)
+        again = self.open(home=home)
+        again.settle()
+        self.assertEqual(self.shown(again), ['outliner', 'tabs', 'report'])
+        again.resize(1400, 900)
+        self.assertEqual(self.shown(again), ['outliner', 'tabs', 'report'])
+        self.assertEqual(self.heights(again)['report'], before['report'])
 
     def test_a_window_that_was_closed_small_has_all_its_panels_when_it_is_large_again(self):
         home = tempfile.mkdtemp(prefix='cagewright-home-')

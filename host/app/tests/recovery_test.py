@@ -6,9 +6,11 @@
 import glob
 import os
 import shutil
+import subprocess
 import time
 
 from window_case import path, run_tests, setUpModule, tearDownModule, WindowTest
+from window_driver import obey_permissions
 
 OFTEN = {'CAGEWRIGHT_AUTOSAVE_MS': '300'}
 
@@ -38,6 +40,20 @@ class QuestionTest(WindowTest):
             self.assertLess(time.monotonic(), end, name)
             time.sleep(0.1)
         time.sleep(0.5)
+
+
+    def folder_of_its_own(self):
+        """Where permissions bind, also where root runs this."""
+        folder = path('own')
+        shutil.rmtree(folder, ignore_errors=True)
+        os.mkdir(folder)
+        self.addCleanup(os.chmod, folder, 0o755)
+        os.chmod(folder, 0o555)
+        if subprocess.run(['touch', os.path.join(folder, 'written')], preexec_fn=obey_permissions,
+                          stderr=subprocess.DEVNULL).returncode == 0:
+            self.skipTest('root cannot be kept from writing here (prctl)')
+        os.chmod(folder, 0o755)
+        return folder
 
 
 class Recovering(QuestionTest):
@@ -109,14 +125,81 @@ class Recovering(QuestionTest):
         self.assertFalse(os.path.exists(path('.left.glb.lock')))
         self.assertEqual(glob.glob(path('*_recovered_*')), [])
 
-    def test_it_is_told_where_the_changes_cannot_be_put_aside(self):
+    def test_no_of_a_model_does_not_promise_the_saved_scene(self):
+        self.crash()
+        shutil.copy(path('biped.off'), path('left.off'))
+        window = self.open('left.off')
+        asked = self.question(window, 'Recover', 'recover_model_beside_scene')
+        self.assertIn('No opens the model left.off alone, without what was saved in left.glb', asked)
+        self.assertNotIn('as it was saved', asked)
+        window.click_widget('No')
+        window.wait_until(lambda s: s['has_scene'], 'it is open')
+        self.assertEqual(self.slides(window), [])
+        self.assertTrue(os.path.exists(path('left_recovered_1.glb')))
+
+    def test_no_of_a_scene_that_is_not_there_leaves_the_changes_where_they_are(self):
+        saved = self.crash()
+        os.remove(path('left.glb'))
+        window = self.open('left.glb')
+        asked = self.question(window, 'Recover', None)
+        self.assertIn('left.glb itself is not there: No opens nothing', asked)
+        self.assertIn('.left.glb.autosave.glb', asked)
+        window.click_widget('No')
+        window.wait_until(lambda s: 'left.glb' in s['status'], 'it says so')
+        self.assertFalse(window.state()['has_scene'])
+        self.assertTrue(os.path.exists(saved))
+
+    def test_changes_that_cannot_be_put_aside_are_told_once_and_never_written_over(self):
+        saved = self.crash()
+        with open(saved, 'rb') as file:
+            changes = file.read()
+        folder = self.folder_of_its_own()
+        for name in ('left.glb', '.left.glb.autosave.glb'):
+            shutil.copy2(path(name), folder)
+        saved = os.path.join(folder, os.path.basename(saved))
+        os.chmod(folder, 0o555)
+        window = self.open('own/left.glb', environment=OFTEN, before=obey_permissions)
+        self.question(window, 'Recover', None)
+        window.click_widget('No')
+        state = window.wait_until(lambda s: s['status'], 'it says so')
+        for words in ('what was not saved before stays in .left.glb.autosave.glb', 'Permission denied', 'Save As'):
+            self.assertIn(words, state['status'])
+        window.shot('not_put_aside')
+        window.run('remove_slides', slides=['neck'])
+        window.run('save_copy', path=path('told_since.glb'))
+        time.sleep(1)
+        self.assertEqual(window.state()['status'], 'Saved a copy as told_since.glb')  # not told again
+        os.chmod(folder, 0o755)
+        kept = os.path.join(folder, 'left_recovered_1.glb')
+        self.wait_for_file(kept)
+        self.wait_for_file(saved)
+        with open(kept, 'rb') as file:
+            self.assertEqual(file.read(), changes)
+        self.assertIn('left_recovered_1.glb', window.state()['status'])
+        with open(saved, 'rb') as file:
+            self.assertNotEqual(file.read(), changes)
+
+    def test_what_is_left_of_the_scene_that_is_saved_as_is_put_aside_too(self):
+        saved = self.crash()
+        with open(saved, 'rb') as file:
+            changes = file.read()
+        window = self.open('biped.glb', environment=OFTEN)
+        window.settle()
+        window.run('save', path=path('left.glb'))
+        window.run('remove_slides', slides=['neck'])
+        self.wait_for_file(path('left_recovered_1.glb'))
+        with open(path('left_recovered_1.glb'), 'rb') as file:
+            self.assertEqual(file.read(), changes)
+
+    def test_it_is_told_where_the_changes_are_gone(self):
         saved = self.crash()
         window = self.open('left.glb')
         self.question(window, 'Recover', None)
         os.remove(saved)
         window.click_widget('No')
         state = window.wait_until(lambda s: s['status'], 'it says so')
-        self.assertIn('could not be put aside: No such file', state['status'])
+        self.assertIn('what was not saved before is gone: another program has removed .left.glb.autosave.glb',
+                      state['status'])
         self.assertIn('brow', self.slides(window))
 
 
@@ -175,6 +258,59 @@ class Locks(QuestionTest):
         again.click_widget('Yes')
         again.wait_until(lambda s: s['has_scene'], 'it is open')
         self.assertNotIn('brow', self.slides(again))
+
+    def left_by_another_machine(self):
+        """A scene with changes that were not saved, and the lock."""
+        shutil.copy(path('biped.glb'), path('.left.glb.autosave.glb'))
+        self.lock()
+        self.of_others = self.read_lock()
+
+    def read_lock(self):
+        with open(path('.left.glb.lock')) as file:
+            return file.read()
+
+    def test_the_lock_stays_where_the_question_that_follows_is_cancelled(self):
+        self.left_by_another_machine()
+        window = self.open('left.glb')
+        self.question(window, 'Open elsewhere', None)
+        window.click_widget('Remove Lock and Open')
+        self.question(window, 'Recover', None)
+        window.click_widget('Cancel')
+        self.assertFalse(window.state()['has_scene'])
+        self.assertEqual(self.read_lock(), self.of_others)
+        self.assertTrue(os.path.exists(path('.left.glb.autosave.glb')))
+
+    def test_a_lock_that_it_did_not_ask_about_is_not_removed(self):
+        self.lock()
+        window = self.open('left.glb')
+        asked = self.question(window, 'Open elsewhere', None)
+        self.assertIn("write over each other's autosave", asked)
+        self.lock('815\ncagewright_window\nfarther-away\n')
+        theirs = self.read_lock()
+        window.click_widget('Remove Lock and Open')
+        time.sleep(0.5)
+        self.assertFalse(window.state()['has_scene'])
+        asked = self.question(window, 'Open elsewhere', 'lock_of_another')
+        self.assertIn('Since you were asked another window has taken the lock', asked)
+        self.assertIn('process 815 on farther-away', asked)
+        self.assertEqual(self.read_lock(), theirs)
+        window.click_widget('Remove Lock and Open')
+        self.assertIn('brow', self.slides(window))
+        self.assertNotIn('another window', window.state()['title'])
+
+    def test_a_lock_that_cannot_be_removed_is_asked_about_again(self):
+        folder = self.folder_of_its_own()
+        self.lock()
+        for name in ('left.glb', '.left.glb.lock'):
+            shutil.copy2(path(name), folder)
+        os.chmod(folder, 0o555)
+        window = self.open('own/left.glb', before=obey_permissions)
+        self.question(window, 'Open elsewhere', None)
+        window.click_widget('Remove Lock and Open')
+        time.sleep(0.5)
+        self.assertIn('That lock could not be removed', self.question(window, 'Open elsewhere', None))
+        window.click_widget('Open Anyway')
+        window.wait_until(lambda s: 'open in another window' in s['title'], 'it is open')
 
     def test_a_lock_that_does_not_say_whose_it_is_is_asked_about_too(self):
         self.lock('')

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A real window on an X server of its own, steered by real mouse and keyboard events (xdotool) and seen by screenshots
 (ImageMagick). What is where it tells itself, through `--commands`."""
+import ctypes
 import json
 import os
 import select
@@ -93,17 +94,43 @@ class Server:
         self.process.wait()
 
 
+class HangingCopy:
+    """A program that has copied something and never answers who asks for it, as one that hangs."""
+
+    def __init__(self, display):
+        self.x11 = ctypes.CDLL('libX11.so.6')
+        for function in (self.x11.XOpenDisplay, self.x11.XDefaultRootWindow, self.x11.XCreateSimpleWindow,
+                         self.x11.XInternAtom, self.x11.XGetSelectionOwner):
+            function.restype = ctypes.c_void_p  # as wide as pointers and X's ids are
+        self.connection = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+        root = ctypes.c_ulong(self.x11.XDefaultRootWindow(self.connection))
+        window = self.x11.XCreateSimpleWindow(self.connection, root, 0, 0, 1, 1, 0, ctypes.c_ulong(0), ctypes.c_ulong(0))
+        clipboard = ctypes.c_ulong(self.x11.XInternAtom(self.connection, b'CLIPBOARD', 0))
+        self.x11.XSetSelectionOwner(self.connection, clipboard, ctypes.c_ulong(window), ctypes.c_ulong(0))
+        assert self.x11.XGetSelectionOwner(self.connection, clipboard) == window
+
+    def close(self):
+        self.x11.XCloseDisplay(self.connection)
+
+
+def obey_permissions():
+    """Of a process that is about to be: takes from root the right to write where permissions do not let it."""
+    drop_from_bounding_set, dac_override = 24, 1
+    if os.geteuid() == 0:
+        ctypes.CDLL(None).prctl(drop_from_bounding_set, dac_override, 0, 0, 0)
+
+
 class Window:
     """`cagewright view` with a home of its own, so that no settings of the user's are read or written."""
 
     def __init__(self, server, program, *arguments, home=None, environment=None,
-                 errors=None):
+                 errors=None, before=None):
         self.home = home or tempfile.mkdtemp(prefix='cagewright-window-')
         self.environment = dict(os.environ, DISPLAY=server.display, HOME=self.home,
                                 XDG_CONFIG_HOME=os.path.join(self.home, 'config'), QT_QPA_PLATFORM='xcb',
                                 **(environment or {}))
         self.process = subprocess.Popen([program, 'view', '--commands', *map(str, arguments)], env=self.environment,
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors)
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, preexec_fn=before)
         self.pending = b''
         self.settle()
         self.focus('main_window')

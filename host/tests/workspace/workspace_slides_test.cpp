@@ -126,8 +126,9 @@ TEST_F(WorkspaceSlidesTest, UndoOfEverythingIsTheDocumentAsItWasRead) {
 
 TEST_F(WorkspaceSlidesTest, AShortStrokeAcrossALimbMakesTheLoopOfThePlaneThatHoldsItAndTheLineOfSight) {
   workspace_.open(model_);
-  const std::int64_t added = workspace_.add_slide_across(front_stroke(0.3, 0.5, 0.15), {0, 0, -2}, "cut");
-  const SceneSlide& slide = *workspace_.document().find_slide(added);
+  const Workspace::SlideAcross added = workspace_.add_slide_across(front_stroke(0.3, 0.5, 0.15), {0, 0, -2}, "cut");
+  const SceneSlide& slide = *workspace_.document().find_slide(added.id);
+  EXPECT_EQ(added.tilt, 0);
   EXPECT_EQ(slide.name, "cut");
   EXPECT_TRUE(slide.stroke.empty()) << "the ellipse was not fitted to it";
   // The plane y = 0.3 + 0.5 x: its normal has no part along the line of sight, its loop goes all round.
