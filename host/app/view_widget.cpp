@@ -7,12 +7,15 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <QAction>
 #include <QCursor>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QTimer>
 #include <QWheelEvent>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace cagewright::host {
@@ -172,8 +175,8 @@ void ViewWidget::use_stroke_tool() {
 }
 
 bool ViewWidget::cancel_tool() {
-  const bool was_busy = tool_->cancel();
-  doing_ = Doing::nothing;
+  const bool was_held = std::exchange(doing_, Doing::nothing) == Doing::tool;
+  const bool was_busy = tool_->cancel() || was_held;
   render_soon();
   return was_busy;
 }
@@ -306,6 +309,17 @@ ViewWidget::Doing ViewWidget::begin_of(const QMouseEvent& event) {
     default:
       return Doing::nothing;
   }
+}
+
+// A key that is accepted here is no shortcut: it comes as a key of the view, which has none.
+bool ViewWidget::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && doing_ == Doing::tool) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    const QKeySequence keys(static_cast<int>(key->modifiers()) | key->key());
+    if (std::ranges::none_of(actions_in_drag_, [&](const QAction* it) { return it->shortcuts().contains(keys); }))
+      event->accept();
+  }
+  return QWidget::event(event);
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {

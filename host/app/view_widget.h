@@ -20,6 +20,7 @@
 #include "host/view/window/scene_view.h"
 #include "host/view/window/slide_handles.h"
 
+class QAction;
 class QLabel;
 class vtkOrientationMarkerWidget;
 class vtkRenderer;
@@ -46,6 +47,8 @@ class ViewWidget : public QWidget {
   void on_look(std::function<void()> changed) { look_changed_ = std::move(changed); }  // by a command of run()
   bool shows_speed() const;
   bool cancel_tool();  // false: there was nothing to give up
+  // While the tool's button is held, the keys of these actions alone are heard: the drag is all that may change.
+  void set_actions_in_drag(std::vector<const QAction*> actions) { actions_in_drag_ = std::move(actions); }
 
   // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
   void run(const nlohmann::json& command);
@@ -65,6 +68,7 @@ class ViewWidget : public QWidget {
   QPoint screen_position(const Point3& point) const;
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -100,6 +104,7 @@ class ViewWidget : public QWidget {
   Tool* tool_ = nullptr;
   SlideHandles::Mode handle_mode_ = SlideHandles::Mode::none;
   Doing doing_ = Doing::nothing;
+  std::vector<const QAction*> actions_in_drag_;
   QPointF last_;
   bool render_is_due_ = false;
   QTimer late_frame_, speed_timer_;

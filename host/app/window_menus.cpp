@@ -107,7 +107,7 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_edit_menu() {
   QMenu& menu = *menuBar()->addMenu("&Edit");
   undo_ = add(menu, {"undo", "&Undo", "Ctrl+Z, Z", "Takes the last step back", [this] {
-                       editor_->run({{"command", "undo"}});
+                       if (!view_->cancel_tool()) editor_->run({{"command", "undo"}});
                      }});
   redo_ = add(menu, {"redo", "&Redo", "Ctrl+Shift+Z, Ctrl+Y, Shift+Z", "Does again what was taken back", [this] {
                        editor_->run({{"command", "redo"}});
@@ -215,6 +215,7 @@ void MainWindow::make_cage_menu() {
                  editor_->run({{"command", "cancel"}});
              }});
   for_scene_.push_back(cancel);
+  view_->set_actions_in_drag({undo_, cancel});
   menu.addSeparator();
   for_scene_.push_back(add(menu, {"validate", "&Validate with Ceres ...", "",
                                   "An independent optimiser checks the "
