@@ -93,7 +93,11 @@ MainWindow::~MainWindow() {
 void MainWindow::make_status_line() {
   hint_ = new QLabel(this);
   hint_->setObjectName("hint");
+  statusBar()->setObjectName("status_bar");
   statusBar()->addWidget(hint_, 1);
+  connect(statusBar(), &QStatusBar::messageChanged, this, [this](const QString& message) {
+    if (message.isEmpty()) show_failure_colour(false);
+  });
   stage_ = new QLabel(this);
   stage_->setObjectName("stage");
   progress_ = new QProgressBar(this);
@@ -113,6 +117,7 @@ void MainWindow::make_status_line() {
 void MainWindow::update(WorkspaceChange change) {
   switch (change) {
     case WorkspaceChange::scene:
+      if (not_opened_) not_opened_->close();
       note_file();
       show_first_help();
       show_title();
@@ -193,6 +198,7 @@ void MainWindow::show_hint() {
 }
 
 void MainWindow::say_failure(const std::string& sentence) {
+  show_failure_colour(true);
   statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), failure_ms);
   shows_attempts_failure_ = true;
   is_of_command_ = false;
@@ -204,7 +210,14 @@ void MainWindow::say_warning(const std::string& sentence) {
   shows_attempts_failure_ = false;
 }
 
+void MainWindow::show_failure_colour(bool is_failure) {
+  QPalette palette;
+  if (is_failure) palette.setColor(QPalette::WindowText, colour_of(Tone::bad, palette));
+  statusBar()->setPalette(palette);
+}
+
 void MainWindow::say_done(const std::string& sentence) {
+  show_failure_colour(false);
   statusBar()->showMessage(QString::fromStdString(sentence), done_ms);
   shows_attempts_failure_ = is_of_command_ = false;
 }

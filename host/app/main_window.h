@@ -3,6 +3,7 @@
 #define CAGEWRIGHT_HOST_APP_MAIN_WINDOW_H
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 #include <filesystem>
 #include <functional>
@@ -19,6 +20,7 @@ class QAction;
 class QActionGroup;
 class QLabel;
 class QMenu;
+class QMessageBox;
 class QProgressBar;
 class QPushButton;
 class QTabWidget;
@@ -95,16 +97,21 @@ class MainWindow : public QMainWindow {
   void show_paste();
   void show_progress();
   void show_hint();
+  void show_failure_colour(bool is_failure);  // of the status line's message
 
   bool may_lose_changes();
   // Whether a scene is opened though another machine's lock says that it is open there; may remove the lock.
   bool may_open_locked(std::optional<std::filesystem::path>& left);
   // Nothing: it is not to be opened at all.
   std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& scene);
+  void show_not_opened(const QString& sentence);
   void choose_file();
   void finish_typing();
   bool wait_for_cage();
+  bool write(const nlohmann::json& command, const QString& failure);
   bool save_to(const std::filesystem::path& path);
+  // To write to; empty: given up. With the chosen filter's first ending where none was typed.
+  QString choose_name(const QString& title, const std::filesystem::path& suggested, const QString& filters);
   void note_file();  // the open scene has just been read or written
   bool may_overwrite(const std::filesystem::path& scene);
   bool save();
@@ -142,6 +149,7 @@ class MainWindow : public QMainWindow {
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
   bool is_of_command_ = false;                              // what the status line says: it goes with the next command
+  QPointer<QMessageBox> not_opened_;                        // says why a file could not be opened
   bool shows_attempts_failure_ = false;   // in the status line: it goes with the next attempt that succeeds
   std::optional<QByteArray> wide_docks_;  // saveState() of before it became narrow
   QLabel *hint_ = nullptr, *stage_ = nullptr;

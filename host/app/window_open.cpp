@@ -2,6 +2,7 @@
 // Opening, and what is asked about locks and autosaves that are beside a scene.
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <chrono>
 #include <system_error>
 
@@ -40,7 +41,10 @@ void MainWindow::open(const fs::path& path) {
   }
   const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*left, saved_as); })
                                 : editor_->run({{"command", "open"}, {"path", scene.string()}});
-  if (!is_open) return autosave_->give_up_claim();
+  if (!is_open) {
+    autosave_->give_up_claim();
+    return show_not_opened(statusBar()->currentMessage());
+  }
   remember(scene);
   if (recovers) autosave_->keep_recovered();
   std::string notes;
@@ -57,6 +61,15 @@ void MainWindow::open(const fs::path& path) {
   }
   for (const std::string& note : editor_->workspace().notes()) add(note);
   if (!notes.empty()) say_warning(notes);
+}
+
+// Somebody may not look at the line at the bottom, which says it, too. Nothing waits for the answer, and what opens
+// meanwhile takes the box away.
+void MainWindow::show_not_opened(const QString& sentence) {
+  auto* box = new QMessageBox(QMessageBox::Warning, "Not opened", sentence, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  not_opened_ = box;
+  box->open();
 }
 
 bool MainWindow::may_open_locked(std::optional<fs::path>& left) {

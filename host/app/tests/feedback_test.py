@@ -19,6 +19,11 @@ def is_orange(r, g, b):
     return r > 220 and 60 < g < 130 and b < 60
 
 
+def is_pale_red(r, g, b):
+    """A failure's sentence on dark."""
+    return r > 200 and 90 < g < 170 and 80 < b < 160 and r > g + 60
+
+
 class Themes(WindowTest):
     scene = 'biped.glb'
 
@@ -59,12 +64,18 @@ class Telling(WindowTest):
         window.type(self.broken_scene())
         window.key('Return')
         window.wait_until(lambda s: 'broken.glb' in s['status'], 'it says so')
+        window.focus_dialog('Not opened')
+        self.assertIn('broken.glb', window.where(widget='qt_msgbox_label')['text'])
+        shot = window.shot('not_opened')
+        window.click_widget('OK')
+        self.assertGreater(shot.count(rectangle(window.where(widget='status_bar')), is_pale_red), 50)
         window.focus('main_window')
         window.key('ctrl+a')
         state = window.wait_until(lambda s: s['selection'], 'all are selected')
         self.assertEqual(state['status'], '')
         window.key('ctrl+c')
         window.wait_until(lambda s: s['status'] == 'Copied 17 slides', 'it says so')
+        self.assertEqual(window.shot().count(rectangle(window.where(widget='status_bar')), is_pale_red), 0)
 
     def test_a_save_is_told(self):
         shutil.copy(path('biped.glb'), path('told.glb'))
@@ -96,8 +107,11 @@ class Telling(WindowTest):
     def test_a_file_that_cannot_be_opened_is_told_until_one_can(self):
         window = self.open(path('none.glb'))
         window.wait_until(lambda s: 'none.glb' in s['status'], 'it says so')
-        window.run('open', path=path('biped.off'))
+        window.focus_dialog('Not opened')
+        self.assertFalse(window.ask(command='open', path=self.broken_scene())['ok'])  # answered, without a box
+        window.run('open', path=path('biped.off'))  # which takes the first file's box away
         self.assertEqual(window.state()['status'], '')
+        self.assertFalse(window.ask(command='where', widget='qt_msgbox_label')['ok'])
 
 
 class Outliner(WindowTest):
