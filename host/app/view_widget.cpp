@@ -254,6 +254,8 @@ void ViewWidget::frame_problem(const std::vector<std::int64_t>& slides, const st
     for (std::size_t i = 0; i < 6; ++i)
       (*bounds)[i] = i % 2 == 0 ? std::min((*bounds)[i], (*round)[i]) : std::max((*bounds)[i], (*round)[i]);
   }
+  if (const auto toward_viewer = place ? scene_->direction_to_see(*place) : std::nullopt)
+    camera_->look_from(*toward_viewer);
   if (bounds) camera_->frame(*bounds);
   render_soon();
 }

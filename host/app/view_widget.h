@@ -56,7 +56,7 @@ class ViewWidget : public QWidget {
   void frame_model();  // the one that is being caged
   void frame_selection();
   void frame_slide(const std::string& name);
-  // Slides and place together; what is not there is not framed.
+  // Slides and place together; what is not there is not framed. Where the model hides the place the camera is turned.
   void frame_problem(const std::vector<std::int64_t>& slides, const std::optional<Point3>& place);
   void mark_place(const std::optional<Point3>& place);  // empty: no mark
   void show_help(const QString& text);                  // over the view; empty: none

@@ -75,7 +75,8 @@ struct SceneView::State {
   SlideActors slide_actors;
   SlideLabels slide_labels;
   PlaceMark place_mark;
-  LineActor stroke;
+  LineActor stroke, open_edges;
+  std::shared_ptr<const TriangleMesh> mesh_of_open_edges;  // null: they are not known
   vtkNew<vtkLight> light;
   vtkNew<vtkRenderStepsPass> pass;
   vtkNew<StillLayer> still_layer;
