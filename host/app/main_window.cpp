@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
@@ -17,6 +18,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUrl>
+#include <algorithm>
 
 #include "host/app/done_text.h"
 #include "host/app/plugin_manager.h"
@@ -119,6 +121,7 @@ void MainWindow::update(WorkspaceChange change) {
     case WorkspaceChange::scene:
       if (not_opened_) not_opened_->close();
       note_file();
+      set_mirror_axis("x");  // what was right for the model before says nothing about this one
       show_first_help();
       show_title();
       show_undo();
@@ -249,6 +252,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue("geometry", saveGeometry());
   settings.setValue("docks", wide_docks_.value_or(saveState()));
   event->accept();
+}
+
+// Of an action that is disabled: the others' keys do not come here.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  const QKeySequence keys(static_cast<int>(event->modifiers()) | event->key());
+  const auto has_keys = [&](const QAction* action) { return action->shortcuts().contains(keys); };
+  const bool is_for_selection = std::ranges::any_of(for_selection_, has_keys);
+  if (is_for_selection && editor_->workspace().has_scene() && editor_->workspace().selection().empty())
+    return say_failure("Select a slide first: click one in the view or the outliner; Ctrl+A selects all");
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -112,8 +113,8 @@ class MainWindow : public QMainWindow {
   bool save_to(const std::filesystem::path& path);
   // To write to; empty: given up. With the chosen filter's first ending where none was typed.
   QString choose_name(const QString& title, const std::filesystem::path& suggested, const QString& filters);
-  void note_file();  // the open scene has just been read or written
-  bool may_overwrite(const std::filesystem::path& scene);
+  void note_file();                                            // the open scene has just been read or written
+  bool save_over_another(const std::filesystem::path& scene);  // asks first
   bool save();
   bool save_as();
   void export_cage();
@@ -157,7 +158,7 @@ class MainWindow : public QMainWindow {
   QPushButton* cancel_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr, *paste_ = nullptr;
-  QString mirror_axis_;                              // chosen last: "x", "y" or "z"
+  QString mirror_axis_;                              // chosen last in this scene: "x", "y" or "z"
   std::vector<std::function<void()>> marks_;         // of menus: each sets one as the view is
   std::vector<QAction*> for_scene_, for_selection_;  // enabled only then
   QActionGroup* tools_ = nullptr;

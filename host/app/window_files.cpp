@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QSettings>
 #include <QTimer>
 #include <exception>
@@ -120,7 +121,7 @@ bool MainWindow::save() {
   // Of a model: what has that name already is another scene.
   if (!workspace.has_file() && fs::exists(workspace.path(), none)) return save_as();
   const auto time = time_of(workspace.path());
-  if (workspace.has_file() && time && time != on_disk_ && !may_overwrite(workspace.path())) return false;
+  if (workspace.has_file() && time && time != on_disk_) return save_over_another(workspace.path());
   return save_to(workspace.path());
 }
 
@@ -129,14 +130,17 @@ void MainWindow::note_file() {
   on_disk_ = workspace.has_scene() ? time_of(workspace.path()) : std::nullopt;
 }
 
-bool MainWindow::may_overwrite(const fs::path& scene) {
-  const auto answer = QMessageBox::question(
-      this, "Changed by another",
-      QString(
-          "%1 is not what this window has opened or saved: another program or window has written it. Write over it?")
-          .arg(text_of(scene.filename())),
-      QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-  return answer == QMessageBox::Yes;
+bool MainWindow::save_over_another(const fs::path& scene) {
+  QMessageBox box(QMessageBox::Question, "Changed by another",
+                  QString("%1 is not what this window has opened or saved: another program or window has written it. "
+                          "Write over it?")
+                      .arg(text_of(scene.filename())),
+                  QMessageBox::Yes | QMessageBox::No, this);
+  QPushButton* elsewhere = box.addButton("Save &As ...", QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::No);
+  const int answer = box.exec();
+  if (box.clickedButton() == elsewhere) return save_as();
+  return answer == QMessageBox::Yes && save_to(scene);
 }
 
 // What somebody has asked for with a file dialog: a failure gets a box, for a line may be missed.

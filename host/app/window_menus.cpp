@@ -184,13 +184,11 @@ void MainWindow::make_slide_menu() {
     axes->addAction(action);
     for_selection_.push_back(action);
   }
-  const QString last = QSettings().value("mirror_axis", "x").toString();
-  set_mirror_axis(findChild<QAction*>("mirror_" + last) ? last : QString("x"));
+  set_mirror_axis("x");
 }
 
 void MainWindow::mirror_slides(const QString& axis) {
   set_mirror_axis(axis);
-  QSettings().setValue("mirror_axis", axis);
   editor_->run({{"command", "mirror_slides"}, {"axis", axis.toStdString()}, {"slides", editor_->selected_names()}});
 }
 
