@@ -127,7 +127,7 @@ Hit SceneView::pick(double x, double y, bool slides_first) const {
   const SightLine line = projection.sight_line(x, y);
   std::optional<ModelHit> model;
   for (const MeshEntry& entry : state_->meshes) {
-    const auto hit = state_->options.model ? hit_of(entry, line) : std::nullopt;
+    const auto hit = state_->shows(entry) ? hit_of(entry, line) : std::nullopt;
     if (hit && (!model || hit->along < model->along)) model = hit;
   }
   std::optional<SlideHit> slide;

@@ -45,6 +45,7 @@ struct SceneView::State {
   State& operator=(const State&) = delete;
 
   const MeshEntry* active() const;
+  bool shows(const MeshEntry& entry) const;
   Eigen::Matrix4d active_to_scene() const;    // identity where none is active
   Eigen::Matrix4d active_from_scene() const;  // likewise, and where it is flat
   void apply_transform();                     // the active mesh's, to all that is in its space

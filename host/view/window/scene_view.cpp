@@ -93,6 +93,10 @@ const MeshEntry* SceneView::State::active() const {
   return found == meshes.end() ? nullptr : &*found;
 }
 
+bool SceneView::State::shows(const MeshEntry& entry) const {
+  return options.model && (entry.shown.is_active || options.other_meshes);
+}
+
 Eigen::Matrix4d SceneView::State::active_to_scene() const {
   return active() == nullptr ? Eigen::Matrix4d(Eigen::Matrix4d::Identity()) : active()->to_scene;
 }
@@ -160,7 +164,7 @@ void SceneView::State::apply_look() {
   if (shows_coverage && options.model && !outside_is_coloured) colour_outside();
   for (const MeshEntry& entry : meshes) {
     const bool is_active = entry.shown.is_active;
-    entry.surface->actor().SetVisibility(options.model && !(is_active && shows_parts));
+    entry.surface->actor().SetVisibility(shows(entry) && !(is_active && shows_parts));
     entry.surface->set_colour(is_active      ? colours::model
                               : options.dark ? colours::other_model
                                              : colours::other_model_on_light);

@@ -42,7 +42,8 @@ struct ShownCage {
 
 // What is drawn, and how.
 struct ViewOptions {
-  bool model = true, slides = true, sections = true, cage = true, cage_faces = true, grid = true, wireframe = false;
+  bool model = true, other_meshes = true, slides = true, sections = true, cage = true, cage_faces = true, grid = true,
+       wireframe = false;
   enum class Colours { plain, parts, coverage } colours = Colours::plain;
   bool dark = true;  // background and grid
 };
