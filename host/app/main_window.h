@@ -27,6 +27,7 @@ class QTabWidget;
 
 namespace cagewright::host {
 
+class ParameterPanel;
 class PluginManager;
 class ProblemsList;
 class ViewWidget;
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
   void make_docks();
   // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were.
   void set_narrow(bool narrow);
+  void show_parameter_of(const std::string& sentence);
   void share_heights();  // of the panels above one another
   void make_menus();
   void make_file_menu();
@@ -145,6 +147,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<ScriptRecorder> recorder_;
   ViewWidget* view_ = nullptr;
   ProblemsList* problems_ = nullptr;
+  ParameterPanel* parameters_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;

@@ -210,6 +210,7 @@ void ViewWidget::run(const nlohmann::json& command) {
       show_speed();
     }
     if (what == "model") options.model = on;
+    if (what == "other_meshes") options.other_meshes = on;
     if (what == "slides") options.slides = on;
     if (what == "sections") options.sections = on;
     if (what == "cage") options.cage = on;

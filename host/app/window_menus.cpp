@@ -238,6 +238,9 @@ void MainWindow::make_tool_bar() {
   QToolBar* bar = addToolBar("Tools");
   bar->setObjectName("tool_bar");
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  // Its arrows are dark in every theme.
+  if (auto* overflow = bar->findChild<QWidget*>("qt_toolbar_ext_button"))
+    overflow->setStyleSheet("background: #a6a8ae; border-radius: 3px;");
   bar->addActions(tools_->actions());
   bar->addSeparator();
   for (const char* name : {"snap", "mirror", "frame_all", "colours_plain", "colours_parts", "colours_coverage"})

@@ -8,7 +8,7 @@ import os
 import shutil
 import time
 
-from window_case import path, run_tests, setUpModule, tearDownModule, WindowTest
+from window_case import path, run_tests, SCENES, setUpModule, tearDownModule, WindowTest
 
 
 def rectangle(at):
@@ -312,11 +312,17 @@ class Outliner(WindowTest):
         self.assertTrue(all(problem['is_advice'] for problem in problems))
         rows = window.where(widget='problems')['rows']
         self.assertEqual([row['texts'][0] for row in rows], [problem['sentence'] for problem in problems])
-        marked = 0
+        marked = named = 0
         for row, problem in zip(rows, problems):
             self.assertTrue(all("'%s'" % slide in problem['sentence'] for slide in problem['slides']))
             window.click(row['x'], row['y'])
             window.wait_until(lambda s: s['selection'] == problem['slides'], 'its slides are selected')
+            if 'enclose.in_plane' in problem['sentence']:
+                self.assertEqual(window.state()['focus'], 'enclose.in_plane')
+                tabs = window.where(widget='tabs')
+                field = window.where(widget='enclose.in_plane')
+                self.assertTrue(tabs['y'] < field['y'] < tabs['y'] + tabs['height'] - field['height'], 'it is in view')
+                named += 1
             if 'place' not in problem:
                 continue
             marked += 1
@@ -327,6 +333,7 @@ class Outliner(WindowTest):
             shot = window.shot('advice_%d' % marked)
             self.assertGreater(shot.count((at['x'] - 30, at['y'] - 30, 60, 60), is_orange), 50)
         self.assertGreater(marked, 0)
+        self.assertEqual(named, 1)
 
     def test_a_slide_far_away_does_not_keep_the_model_from_being_framed(self):
         window = self.open()
@@ -409,6 +416,18 @@ class Menus(WindowTest):
         window.settle()
         self.assertIn('show_cage', self.marks(window))
         self.assertGreater(window.shot('marks').differs(without, view), 3000)
+
+    def test_meshes_that_are_not_being_caged_can_be_hidden(self):
+        shutil.copy(os.path.join(SCENES, 'nodes_several_meshes.glb'), path('several.glb'))
+        window = self.open('several.glb')
+        window.settle()
+        self.assertIn('show_other_meshes', self.marks(window))
+        window.move(700, 5)
+        before = window.shot('other_meshes')
+        window.run('show', what='other_meshes', on=False)
+        window.settle()
+        self.assertNotIn('show_other_meshes', self.marks(window))
+        self.assertGreater(window.shot('other_meshes_hidden').differs(before, window.view()), 500)
 
     def test_the_key_and_the_button_mirror_across_the_plane_that_was_chosen_last(self):
         window = self.open()
