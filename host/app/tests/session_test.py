@@ -100,7 +100,7 @@ class Scenes(WindowTest):
         window.shot('changed_by_another')
         window.click_widget('Save As ...')
         window.focus_dialog('Save as')
-        time.sleep(0.3)
+        window.wait_until(lambda s: s['focus'] == 'fileNameEdit', 'a name can be typed')
         window.key('ctrl+a')
         window.type(path('mine.glb'))
         window.key('Return')
