@@ -175,8 +175,10 @@ void ViewWidget::use_stroke_tool() {
 }
 
 bool ViewWidget::cancel_tool() {
-  const bool was_held = std::exchange(doing_, Doing::nothing) == Doing::tool;
+  const bool was_held = doing_ == Doing::tool || doing_ == Doing::given_up;
   const bool was_busy = tool_->cancel() || was_held;
+  const bool is_held = was_held && QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);
+  doing_ = is_held ? Doing::given_up : Doing::nothing;
   render_soon();
   return was_busy;
 }
@@ -316,7 +318,7 @@ ViewWidget::Doing ViewWidget::begin_of(const QMouseEvent& event) {
 
 // A key that is accepted here is no shortcut: it comes as a key of the view, which has none.
 bool ViewWidget::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && doing_ == Doing::tool) {
+  if (event->type() == QEvent::ShortcutOverride && (doing_ == Doing::tool || doing_ == Doing::given_up)) {
     const auto* key = static_cast<const QKeyEvent*>(event);
     const QKeySequence keys(static_cast<int>(key->modifiers()) | key->key());
     if (std::ranges::none_of(actions_in_drag_, [&](const QAction* it) { return it->shortcuts().contains(keys); }))
@@ -326,7 +328,7 @@ bool ViewWidget::event(QEvent* event) {
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
-  if (doing_ != Doing::nothing) return;  // a second button while one is down
+  if (doing_ != Doing::nothing && doing_ != Doing::given_up) return;  // a second button while one is down
   last_ = event->localPos();
   doing_ = begin_of(*event);
   if (doing_ == Doing::tool) speed_.begin(drawn_);
@@ -346,6 +348,8 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
       return;
     case Doing::tool:
       editor_.attempt([&] { tool_->drag(at); });
+      break;
+    case Doing::given_up:
       break;
     case Doing::tumble:
       camera_->tumble(by.x(), -by.y());

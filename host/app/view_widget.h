@@ -77,7 +77,7 @@ class ViewWidget : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class Doing { nothing, tool, tumble, track, dolly };
+  enum class Doing { nothing, tool, given_up, tumble, track, dolly };  // given_up: the tool's button is held still
 
   void set_up_window();
   void frame_slides(const std::vector<std::int64_t>& ids);

@@ -287,6 +287,7 @@ class Editing(WindowTest):
                          (before['slides'], before['undo'], ['left_knee'], True))
         window.key('ctrl+z')
         window.wait_until(lambda s: not s['cage']['is_of_editing'], 'the drag is given up')
+        window.key('ctrl+z', 'Delete')  # the button is held still
         window.release()
         state = window.settle()
         self.assertEqual((state['slides'], state['undo']), (before['slides'], before['undo']))
