@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
@@ -16,6 +17,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUrl>
+#include <algorithm>
 
 #include "host/app/done_text.h"
 #include "host/app/plugin_manager.h"
@@ -92,7 +94,11 @@ MainWindow::~MainWindow() {
 void MainWindow::make_status_line() {
   hint_ = new QLabel(this);
   hint_->setObjectName("hint");
+  statusBar()->setObjectName("status_bar");
   statusBar()->addWidget(hint_, 1);
+  connect(statusBar(), &QStatusBar::messageChanged, this, [this](const QString& message) {
+    if (message.isEmpty()) show_failure_colour(false);
+  });
   stage_ = new QLabel(this);
   stage_->setObjectName("stage");
   progress_ = new QProgressBar(this);
@@ -112,7 +118,9 @@ void MainWindow::make_status_line() {
 void MainWindow::update(WorkspaceChange change) {
   switch (change) {
     case WorkspaceChange::scene:
+      if (not_opened_) not_opened_->close();
       note_file();
+      set_mirror_axis("x");  // what was right for the model before says nothing about this one
       show_first_help();
       show_title();
       show_undo();
@@ -191,6 +199,7 @@ void MainWindow::show_hint() {
 }
 
 void MainWindow::say(const std::string& sentence, int milliseconds, Said of) {
+  show_failure_colour(false);
   statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), milliseconds);
   said_ = of;
 }
@@ -202,20 +211,25 @@ void MainWindow::clear_said(Said of) {
   said_ = Said::other;
 }
 
-void MainWindow::say_failure(const std::string& sentence) {
-  say(sentence, failure_ms, Said::failure);
-  QApplication::beep();
-}
+void MainWindow::say_failure(const std::string& sentence) { say_wrong(sentence, Said::failure); }
 
-void MainWindow::say_warning(const std::string& sentence) {
-  say(sentence, failure_ms, Said::other);
-  QApplication::beep();
-}
+void MainWindow::say_warning(const std::string& sentence) { say_wrong(sentence, Said::other); }
 
 void MainWindow::say_refusal(const std::string& sentence) {
   if (sentence.empty()) return clear_said(Said::refusal);
-  say(sentence, failure_ms, Said::refusal);
+  say_wrong(sentence, Said::refusal);
+}
+
+void MainWindow::say_wrong(const std::string& sentence, Said of) {
+  say(sentence, failure_ms, of);
+  show_failure_colour(true);
   QApplication::beep();
+}
+
+void MainWindow::show_failure_colour(bool is_failure) {
+  QPalette palette;
+  if (is_failure) palette.setColor(QPalette::WindowText, colour_of(Tone::bad, palette));
+  statusBar()->setPalette(palette);
 }
 
 void MainWindow::say_done(const std::string& sentence) { say(sentence, done_ms, Said::other); }
@@ -242,6 +256,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   autosave_->discard();
   save_layout();
   event->accept();
+}
+
+// Of an action that is disabled: the others' keys do not come here.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  const QKeySequence keys(static_cast<int>(event->modifiers()) | event->key());
+  const auto has_keys = [&](const QAction* action) { return action->shortcuts().contains(keys); };
+  const bool is_for_selection = std::ranges::any_of(for_selection_, has_keys);
+  if (is_for_selection && editor_->workspace().has_scene() && editor_->workspace().selection().empty())
+    return say_failure("Select a slide first: click one in the view or the outliner; Ctrl+A selects all");
+  QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

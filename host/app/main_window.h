@@ -3,6 +3,7 @@
 #define CAGEWRIGHT_HOST_APP_MAIN_WINDOW_H
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 #include <filesystem>
 #include <functional>
@@ -20,12 +21,14 @@ class QActionGroup;
 class QDockWidget;
 class QLabel;
 class QMenu;
+class QMessageBox;
 class QProgressBar;
 class QPushButton;
 class QTabWidget;
 
 namespace cagewright::host {
 
+class ParameterPanel;
 class PluginManager;
 class ProblemsList;
 class ViewWidget;
@@ -53,6 +56,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -85,6 +89,7 @@ class MainWindow : public QMainWindow {
   QStringList shown_panels() const;
   void show_panels(const QStringList& shown);
   void save_layout() const;
+  void show_parameter_of(const std::string& sentence);
   void share_heights();  // of the panels above one another
   void make_menus();
   void make_file_menu();
@@ -108,12 +113,14 @@ class MainWindow : public QMainWindow {
     slide,    // of one that was added: the next command
   };
   void say(const std::string& sentence, int milliseconds, Said of);
+  void say_wrong(const std::string& sentence, Said of);
   void clear_said(Said of);
   void say_refusal(const std::string& sentence);  // empty: something that was typed was taken
   void show_title();
   void show_undo();
   void show_progress();
   void show_hint();
+  void show_failure_colour(bool is_failure);  // of the status line's message
 
   bool may_lose_changes();
   struct Left {                                 // of a scene that is opened: what was not saved
@@ -126,12 +133,16 @@ class MainWindow : public QMainWindow {
   std::optional<bool> ask_to_remove_lock(const QString& before);  // a sentence that goes before; may be empty
   std::optional<bool> ask_to_recover(const std::filesystem::path& left, const std::filesystem::path& opened,
                                      const std::filesystem::path& scene);
+  void show_not_opened(const QString& sentence);
   void choose_file();
   void finish_typing();
   bool wait_for_cage();
+  bool write(const nlohmann::json& command, const QString& failure);
   bool save_to(const std::filesystem::path& path);
-  void note_file();  // the open scene has just been read or written
-  bool may_overwrite(const std::filesystem::path& scene);
+  // To write to; empty: given up. With the chosen filter's first ending where none was typed.
+  QString choose_name(const QString& title, const std::filesystem::path& suggested, const QString& filters);
+  void note_file();                                            // the open scene has just been read or written
+  bool save_over_another(const std::filesystem::path& scene);  // asks first
   bool save();
   bool save_as();
   void export_cage();
@@ -162,11 +173,13 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<ScriptRecorder> recorder_;
   ViewWidget* view_ = nullptr;
   ProblemsList* problems_ = nullptr;
+  ParameterPanel* parameters_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
   Said said_ = Said::other;
+  QPointer<QMessageBox> not_opened_;  // says why a file could not be opened
   bool is_narrow_ = false;
   QByteArray wide_docks_;        // saveState() of when it was last wide
   bool was_never_wide_ = false;  // and nobody has made the panels as high as they are there
@@ -175,7 +188,7 @@ class MainWindow : public QMainWindow {
   QPushButton* cancel_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *record_ = nullptr, *mirror_ = nullptr;
-  QString mirror_axis_;                              // chosen last: "x", "y" or "z"
+  QString mirror_axis_;                              // chosen last in this scene: "x", "y" or "z"
   std::vector<std::function<void()>> marks_;         // of menus: each sets one as the view is
   std::vector<QAction*> for_scene_, for_selection_;  // enabled only then
   QActionGroup* tools_ = nullptr;

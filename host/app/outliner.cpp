@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QScrollBar>
+#include <QStyle>
 #include <QTreeWidgetItemIterator>
 #include <set>
 #include <utility>
@@ -36,7 +37,8 @@ Outliner::Outliner(Editor& editor, QWidget* parent) : QTreeWidget(parent), edito
   setColumnCount(2);
   setHeaderLabels({"Node", "Kind"});
   header()->setStretchLastSection(false);
-  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  // As wide as the deepest name: what is wider than the panel can be scrolled to.
+  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
@@ -202,6 +204,8 @@ void Outliner::show_problems() {
     const QString problem = found ? text(found->sentence) : QString();
     // Without a colour of its own it has the theme's, also after a change of that.
     item->setData(0, Qt::ForegroundRole, problem.isEmpty() ? QVariant() : QBrush(QColor(0xff, 0x6b, 0x5e)));
+    // A selected one has the selection's colours: the mark is seen there, too.
+    item->setIcon(0, problem.isEmpty() ? QIcon() : style()->standardIcon(QStyle::SP_MessageBoxWarning));
     item->setToolTip(0, problem.isEmpty() ? item->text(0) : problem);
   }
   is_filling_ = false;

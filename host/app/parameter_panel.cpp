@@ -109,6 +109,14 @@ QWidget* ParameterPanel::make_field(const Parameter& parameter) {
   return number;
 }
 
+// An id may be the beginning of another: the longest is meant.
+QWidget* ParameterPanel::field_named_in(const std::string& sentence) const {
+  std::string named;
+  for (const auto& [id, show] : show_)
+    if (sentence.find(id) != std::string::npos && id.size() > named.size()) named = id;
+  return named.empty() ? nullptr : fields_->findChild<QWidget*>(text(named));
+}
+
 void ParameterPanel::show_values() {
   const bool is_open = editor_.workspace().mesh_node() >= 0 && editor_.workspace().plugin();
   fields_->setEnabled(is_open);

@@ -19,6 +19,9 @@ class ParameterPanel : public QWidget {
  public:
   ParameterPanel(Editor& editor, QWidget* parent);
 
+  // Of the parameter whose id a sentence has in it; null: none.
+  QWidget* field_named_in(const std::string& sentence) const;
+
  private:
   void build();
   void add(const Parameter& parameter, QFormLayout& form);

@@ -20,8 +20,13 @@ ProblemsList::ProblemsList(Editor& editor, QWidget* parent) : QListWidget(parent
   setAccessibleName("Problems");
   setWordWrap(true);
   setAlternatingRowColors(true);
-  connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { show_problem(row(item)); });
-  connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { show_problem(row(item)); });
+  const auto choose = [this](QListWidgetItem* item) {
+    const std::string sentence = item->text().toStdString();  // what is shown may make another cage
+    show_problem(row(item));
+    if (choose_) choose_(sentence);
+  };
+  connect(this, &QListWidget::itemClicked, this, choose);
+  connect(this, &QListWidget::itemActivated, this, choose);
   editor_.listen_seldom([this](WorkspaceChange change) {
     if (change == WorkspaceChange::cage || change == WorkspaceChange::scene || change == WorkspaceChange::mesh) fill();
   });

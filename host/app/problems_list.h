@@ -18,6 +18,8 @@ class ProblemsList : public QListWidget {
   ProblemsList(Editor& editor, QWidget* parent);
 
   void on_frame(std::function<void(const Problem&)> frame) { frame_ = std::move(frame); }
+  // By a click or Enter, not by a key that goes on to the next one.
+  void on_choose(std::function<void(const std::string& sentence)> choose) { choose_ = std::move(choose); }
   void on_mark(std::function<void(const std::optional<Point3>&)> mark) { mark_ = std::move(mark); }
   void on_count(std::function<void(int)> count) { count_ = std::move(count); }
 
@@ -33,6 +35,7 @@ class ProblemsList : public QListWidget {
   std::optional<Problem> marked_;
   std::function<void(const Problem&)> frame_;
   std::function<void(const std::optional<Point3>&)> mark_;
+  std::function<void(const std::string&)> choose_;
   std::function<void(int)> count_;
 };
 

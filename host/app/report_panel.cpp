@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/report_panel.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
 
 #include "host/app/convergence_plot.h"
+#include "host/app/theme.h"
 
 namespace cagewright::host {
 namespace {
@@ -45,18 +47,29 @@ QString certificate_rows(const Certificate& certificate) {
 }
 
 struct Verdict {
-  QString text, colour;
+  QString text;
+  Tone tone;
 };
 
-Verdict verdict_of(const CageState& cage, bool is_solving) {
-  if (cage.cage.triangles.empty()) return {cage.failed ? "No cage: see the problems" : "No cage yet", "#9a9aa0"};
-  if (cage.failed) return {"The last good cage: the slides as they are now give none", "#ff9f43"};
+// A cage that was read knows no slides.
+QString last_good_text(std::size_t slides_of_cage, std::size_t slides) {
+  if (slides_of_cage == 0 || slides_of_cage == slides)
+    return "The last good cage: the slides as they are now give none";
+  return QString("The last good cage, of %1 slide%2: the %3 as they are now give none")
+      .arg(slides_of_cage)
+      .arg(slides_of_cage == 1 ? "" : "s")
+      .arg(slides);
+}
+
+Verdict verdict_of(const CageState& cage, std::size_t slides, bool is_solving) {
+  if (cage.cage.triangles.empty()) return {cage.failed ? "No cage: see the problems" : "No cage yet", Tone::unknown};
+  if (cage.failed) return {last_good_text(cage.section_slides.size(), slides), Tone::doubtful};
   if (!cage.is_of_now || cage.is_of_editing || !cage.certificate)
-    return {is_solving ? "Being made ..." : "Not certified yet", "#9a9aa0"};
+    return {is_solving ? "Being made ..." : "Not certified yet", Tone::unknown};
   if (cage.certificate->encloses && cage.certificate->keeps_distance)
-    return {"Certified: it encloses the model", "#5fbf77"};
-  if (cage.certificate->encloses) return {"Encloses the model, but not at the distance asked for", "#ff9f43"};
-  return {"Not certified: it does not enclose the model", "#ff6b5e"};
+    return {"Certified: it encloses the model", Tone::good};
+  if (cage.certificate->encloses) return {"Encloses the model, but not at the distance asked for", Tone::doubtful};
+  return {"Not certified: it does not enclose the model", Tone::bad};
 }
 
 }  // namespace
@@ -86,11 +99,17 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
 }
 
 void ReportPanel::show_verdict() {
-  const CageState& cage = editor_.workspace().cage();
-  const Verdict verdict = verdict_of(cage, editor_.workspace().progress().is_solving);
-  if (verdict_->text() == verdict.text) return;
-  verdict_->setText(verdict.text);
-  verdict_->setStyleSheet(QString("font-weight: bold; color: %1;").arg(verdict.colour));
+  const Workspace& workspace = editor_.workspace();
+  const Verdict verdict = verdict_of(workspace.cage(), workspace.slides().size(), workspace.progress().is_solving);
+  if (verdict_->text() != verdict.text) verdict_->setText(verdict.text);
+  const QString style = QString("font-weight: bold; color: %1;").arg(colour_of(verdict.tone, palette()).name());
+  if (verdict_->styleSheet() != style) verdict_->setStyleSheet(style);
+}
+
+// The theme's colours are others now.
+void ReportPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) show_verdict();
 }
 
 void ReportPanel::show_cage() {

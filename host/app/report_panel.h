@@ -17,6 +17,9 @@ class ReportPanel : public QWidget {
  public:
   ReportPanel(Editor& editor, QWidget* parent);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void show_verdict();
   void show_cage();

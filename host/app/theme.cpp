@@ -35,6 +35,21 @@ QPalette dark_palette() {
 
 }  // namespace
 
+QColor colour_of(Tone tone, const QPalette& palette) {
+  const bool is_dark = palette.color(QPalette::Window).lightness() < 128;
+  switch (tone) {
+    case Tone::good:
+      return is_dark ? QColor(0x5f, 0xbf, 0x77) : QColor(0x14, 0x6c, 0x2e);
+    case Tone::doubtful:
+      return is_dark ? QColor(0xff, 0x9f, 0x43) : QColor(0x8f, 0x4a, 0x00);
+    case Tone::bad:
+      return is_dark ? QColor(0xff, 0x8a, 0x7d) : QColor(0xb3, 0x1b, 0x12);
+    case Tone::unknown:
+      break;
+  }
+  return is_dark ? QColor(0x9a, 0x9a, 0xa0) : QColor(0x5a, 0x5b, 0x60);
+}
+
 void apply_theme(QApplication& application, bool dark) {
   application.setStyle(QStyleFactory::create("Fusion"));
   application.setPalette(dark ? dark_palette() : application.style()->standardPalette());

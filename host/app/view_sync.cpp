@@ -26,6 +26,7 @@ void ViewSync::update(WorkspaceChange change) {
     case WorkspaceChange::mesh:
       show_meshes();
       show_cage();
+      show_open_edges();
       show_slides();
       break;
     case WorkspaceChange::slides:
@@ -34,6 +35,7 @@ void ViewSync::update(WorkspaceChange change) {
       break;
     case WorkspaceChange::cage:
       show_cage();
+      show_open_edges();
       show_slides();
       break;
     case WorkspaceChange::parameters:
@@ -88,6 +90,13 @@ void ViewSync::show_handles() {
           slide && slide->mesh_node == workspace_.mesh_node())
         held.emplace_back(id, slide->ellipse);
   handles_.set_slides(std::move(held));
+}
+
+// Where the model itself gives no cage it may be open; a closed one has no such edges.
+void ViewSync::show_open_edges() {
+  const CageState& cage = workspace_.cage();
+  const auto is_of_model = [](const Problem& problem) { return problem.slides.empty(); };
+  view_.show_open_edges(cage.failed && std::ranges::any_of(cage.problems, is_of_model));
 }
 
 void ViewSync::show_cage() {

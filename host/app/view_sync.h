@@ -24,6 +24,7 @@ class ViewSync {
   void show_meshes();
   void show_slides();
   void show_cage();
+  void show_open_edges();
 
   const Workspace& workspace_;
   SceneView& view_;

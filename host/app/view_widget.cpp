@@ -7,12 +7,15 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <QAction>
 #include <QCursor>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QTimer>
 #include <QWheelEvent>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace cagewright::host {
@@ -172,8 +175,10 @@ void ViewWidget::use_stroke_tool() {
 }
 
 bool ViewWidget::cancel_tool() {
-  const bool was_busy = tool_->cancel();
-  doing_ = Doing::nothing;
+  const bool was_held = doing_ == Doing::tool || doing_ == Doing::given_up;
+  const bool was_busy = tool_->cancel() || was_held;
+  const bool is_held = was_held && QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);
+  doing_ = is_held ? Doing::given_up : Doing::nothing;
   render_soon();
   return was_busy;
 }
@@ -207,6 +212,7 @@ void ViewWidget::run(const nlohmann::json& command) {
       show_speed();
     }
     if (what == "model") options.model = on;
+    if (what == "other_meshes") options.other_meshes = on;
     if (what == "slides") options.slides = on;
     if (what == "sections") options.sections = on;
     if (what == "cage") options.cage = on;
@@ -251,6 +257,8 @@ void ViewWidget::frame_problem(const std::vector<std::int64_t>& slides, const st
     for (std::size_t i = 0; i < 6; ++i)
       (*bounds)[i] = i % 2 == 0 ? std::min((*bounds)[i], (*round)[i]) : std::max((*bounds)[i], (*round)[i]);
   }
+  if (const auto toward_viewer = place ? scene_->direction_to_see(*place) : std::nullopt)
+    camera_->look_from(*toward_viewer);
   if (bounds) camera_->frame(*bounds);
   render_soon();
 }
@@ -308,8 +316,19 @@ ViewWidget::Doing ViewWidget::begin_of(const QMouseEvent& event) {
   }
 }
 
+// A key that is accepted here is no shortcut: it comes as a key of the view, which has none.
+bool ViewWidget::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && (doing_ == Doing::tool || doing_ == Doing::given_up)) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    const QKeySequence keys(static_cast<int>(key->modifiers()) | key->key());
+    if (std::ranges::none_of(actions_in_drag_, [&](const QAction* it) { return it->shortcuts().contains(keys); }))
+      event->accept();
+  }
+  return QWidget::event(event);
+}
+
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
-  if (doing_ != Doing::nothing) return;  // a second button while one is down
+  if (doing_ != Doing::nothing && doing_ != Doing::given_up) return;  // a second button while one is down
   last_ = event->localPos();
   doing_ = begin_of(*event);
   if (doing_ == Doing::tool) speed_.begin(drawn_);
@@ -329,6 +348,8 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
       return;
     case Doing::tool:
       editor_.attempt([&] { tool_->drag(at); });
+      break;
+    case Doing::given_up:
       break;
     case Doing::tumble:
       camera_->tumble(by.x(), -by.y());

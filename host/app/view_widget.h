@@ -20,6 +20,7 @@
 #include "host/view/window/scene_view.h"
 #include "host/view/window/slide_handles.h"
 
+class QAction;
 class QLabel;
 class vtkOrientationMarkerWidget;
 class vtkRenderer;
@@ -46,6 +47,8 @@ class ViewWidget : public QWidget {
   void on_look(std::function<void()> changed) { look_changed_ = std::move(changed); }  // by a command of run()
   bool shows_speed() const;
   bool cancel_tool();  // false: there was nothing to give up
+  // While the tool's button is held, the keys of these actions alone are heard: the drag is all that may change.
+  void set_actions_in_drag(std::vector<const QAction*> actions) { actions_in_drag_ = std::move(actions); }
 
   // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
   void run(const nlohmann::json& command);
@@ -53,7 +56,7 @@ class ViewWidget : public QWidget {
   void frame_model();  // the one that is being caged
   void frame_selection();
   void frame_slide(const std::string& name);
-  // Slides and place together; what is not there is not framed.
+  // Slides and place together; what is not there is not framed. Where the model hides the place the camera is turned.
   void frame_problem(const std::vector<std::int64_t>& slides, const std::optional<Point3>& place);
   void mark_place(const std::optional<Point3>& place);  // empty: no mark
   void show_help(const QString& text);                  // over the view; empty: none
@@ -65,6 +68,7 @@ class ViewWidget : public QWidget {
   QPoint screen_position(const Point3& point) const;
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -73,7 +77,7 @@ class ViewWidget : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class Doing { nothing, tool, tumble, track, dolly };
+  enum class Doing { nothing, tool, given_up, tumble, track, dolly };  // given_up: the tool's button is held still
 
   void set_up_window();
   void frame_slides(const std::vector<std::int64_t>& ids);
@@ -100,6 +104,7 @@ class ViewWidget : public QWidget {
   Tool* tool_ = nullptr;
   SlideHandles::Mode handle_mode_ = SlideHandles::Mode::none;
   Doing doing_ = Doing::nothing;
+  std::vector<const QAction*> actions_in_drag_;
   QPointF last_;
   bool render_is_due_ = false;
   QTimer late_frame_, speed_timer_;

@@ -49,11 +49,13 @@ void MainWindow::make_docks() {
     problems->setWindowTitle(count == 0 ? QString("Problems") : QString("Problems (%1)").arg(count));
   });
   problems_->on_frame([this](const Problem& problem) { view_->frame_problem(problem.slides, problem.place); });
+  problems_->on_choose([this](const std::string& sentence) { show_parameter_of(sentence); });
   problems_->on_mark([this](const std::optional<Point3>& place) { view_->mark_place(place); });
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("tabs");
   tabs_->addTab(scrolled(new SlidePanel(*editor_, this)), "Slide");
-  tabs_->addTab(scrolled(new ParameterPanel(*editor_, this)), "Cage");
+  parameters_ = new ParameterPanel(*editor_, this);
+  tabs_->addTab(scrolled(parameters_), "Cage");
   dock("attributes_dock", "Attributes", tabs_, Qt::RightDockWidgetArea);
   dock("report_dock", "Report", scrolled(new ReportPanel(*editor_, this)), Qt::RightDockWidgetArea);
   for (QDockWidget* widget : findChildren<QDockWidget*>()) {
@@ -62,6 +64,17 @@ void MainWindow::make_docks() {
   }
   share_heights();
   resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
+}
+
+// The field of the parameter that a sentence advises to set.
+void MainWindow::show_parameter_of(const std::string& sentence) {
+  QWidget* field = parameters_->field_named_in(sentence);
+  if (!field) return;
+  auto* area = static_cast<QScrollArea*>(tabs_->widget(1));
+  tabs_->setCurrentWidget(area);
+  field->setFocus(Qt::OtherFocusReason);
+  // Its place is known once the tab is laid out.
+  QTimer::singleShot(0, field, [area, field] { area->ensureWidgetVisible(field); });
 }
 
 void MainWindow::share_heights() {

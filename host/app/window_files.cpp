@@ -8,15 +8,18 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QSettings>
 #include <QTimer>
 #include <exception>
 #include <system_error>
 
+#include "host/app/file_ending.h"
 #include "host/app/main_window.h"
 #include "host/app/turntable_text.h"
 #include "host/app/view_widget.h"
 #include "host/plugin_client/plugin_error.h"
+#include "host/workspace/slide_names.h"
 
 namespace cagewright::host {
 namespace {
@@ -119,7 +122,7 @@ bool MainWindow::save() {
   // Of a model: what has that name already is another scene.
   if (!workspace.has_file() && fs::exists(workspace.path(), none)) return save_as();
   const auto time = time_of(workspace.path());
-  if (workspace.has_file() && time && time != on_disk_ && !may_overwrite(workspace.path())) return false;
+  if (workspace.has_file() && time && time != on_disk_) return save_over_another(workspace.path());
   return save_to(workspace.path());
 }
 
@@ -128,49 +131,71 @@ void MainWindow::note_file() {
   on_disk_ = workspace.has_scene() ? time_of(workspace.path()) : std::nullopt;
 }
 
-bool MainWindow::may_overwrite(const fs::path& scene) {
-  const auto answer = QMessageBox::question(
-      this, "Changed by another",
-      QString(
-          "%1 is not what this window has opened or saved: another program or window has written it. Write over it?")
-          .arg(text_of(scene.filename())),
-      QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-  return answer == QMessageBox::Yes;
+bool MainWindow::save_over_another(const fs::path& scene) {
+  QMessageBox box(QMessageBox::Question, "Changed by another",
+                  QString("%1 is not what this window has opened or saved: another program or window has written it. "
+                          "Write over it?")
+                      .arg(text_of(scene.filename())),
+                  QMessageBox::Yes | QMessageBox::No, this);
+  QPushButton* elsewhere = box.addButton("Save &As ...", QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::No);
+  const int answer = box.exec();
+  if (box.clickedButton() == elsewhere) return save_as();
+  return answer == QMessageBox::Yes && save_to(scene);
+}
+
+// What somebody has asked for with a file dialog: a failure gets a box, for a line may be missed.
+bool MainWindow::write(const json& command, const QString& failure) {
+  std::string why;
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  try {
+    editor_->run_or_throw(command);
+  } catch (const std::exception& error) {
+    why = without_echo(error.what());
+  }
+  QGuiApplication::restoreOverrideCursor();
+  if (!why.empty()) QMessageBox::warning(this, failure, QString::fromStdString(why));
+  return why.empty();
 }
 
 bool MainWindow::save_to(const fs::path& path) {
-  try {
-    editor_->run_or_throw({{"command", "save"}, {"path", path.string()}});
-  } catch (const std::exception& error) {
-    QMessageBox::warning(this, "Not saved", error.what());
-    return false;
-  }
+  if (!write({{"command", "save"}, {"path", path.string()}}, "Not saved")) return false;
   remember(path);
   return true;
 }
 
+// The dialog has asked about the name as it was typed, not about that with the filter's ending.
+QString MainWindow::choose_name(const QString& title, const fs::path& suggested, const QString& filters) {
+  QString filter;
+  const QString typed = QFileDialog::getSaveFileName(this, title, text_of(suggested), filters, &filter);
+  if (typed.isEmpty()) return {};
+  const QString named = with_ending_of(filter, typed);
+  std::error_code none;
+  if (named == typed || !fs::exists(path_of(named), none)) return named;
+  const auto answer = QMessageBox::question(
+      this, "Replace it?", QString("%1 is there already. Write over it?").arg(text_of(path_of(named).filename())),
+      QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+  return answer == QMessageBox::Yes ? named : QString();
+}
+
 bool MainWindow::save_as() {
-  const QString file = QFileDialog::getSaveFileName(this, "Save as", text_of(editor_->workspace().path()),
-                                                    "glTF, binary (*.glb);;glTF, text (*.gltf)");
+  const QString file = choose_name("Save as", editor_->workspace().path(), "glTF, binary (*.glb);;glTF, text (*.gltf)");
   return !file.isEmpty() && wait_for_cage() && save_to(path_of(file));
 }
 
 void MainWindow::export_cage() {
   fs::path suggested = editor_->workspace().path();
   suggested.replace_filename(suggested.stem().string() + "_cage.obj");
-  const QString file = QFileDialog::getSaveFileName(this, "Export the cage", text_of(suggested),
-                                                    "Meshes (*.obj *.off *.ply *.stl *.glb *.gltf)");
-  if (!file.isEmpty() && wait_for_cage()) editor_->run({{"command", "export_cage"}, {"path", file.toStdString()}});
+  const QString file = choose_name("Export the cage", suggested, "Meshes (*.obj *.off *.ply *.stl *.glb *.gltf)");
+  if (!file.isEmpty() && wait_for_cage())
+    write({{"command", "export_cage"}, {"path", file.toStdString()}}, "Not exported");
 }
 
 void MainWindow::export_picture() {
   fs::path suggested = editor_->workspace().path();
   suggested.replace_extension(".png");
-  const QString file = QFileDialog::getSaveFileName(this, "Export a picture", text_of(suggested), "Pictures (*.png)");
-  if (file.isEmpty() || !wait_for_cage()) return;
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  editor_->run({{"command", "picture"}, {"path", file.toStdString()}});
-  QGuiApplication::restoreOverrideCursor();
+  const QString file = choose_name("Export a picture", suggested, "Pictures (*.png)");
+  if (!file.isEmpty() && wait_for_cage()) write({{"command", "picture"}, {"path", file.toStdString()}}, "Not exported");
 }
 
 void MainWindow::export_turntable() {
@@ -199,8 +224,10 @@ void MainWindow::draw_turntable(const fs::path& folder, int frames) {
   } catch (const Cancelled&) {
     say_done(cancelled_turntable_text(drawn, frames, folder.string()));
   } catch (const std::exception& error) {
-    say_failure(std::string(error.what()) +
-                (drawn > 0 ? "; " + std::to_string(drawn) + " of " + all + " frames were written before" : ""));
+    box.reset();
+    const std::string before =
+        drawn > 0 ? "; " + std::to_string(drawn) + " of " + all + " frames were written before" : "";
+    QMessageBox::warning(this, "Not exported", QString::fromStdString(error.what() + before));
   }
   editor_->script().interrupt_where({});
 }

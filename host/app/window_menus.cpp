@@ -106,7 +106,7 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_edit_menu() {
   QMenu& menu = *menuBar()->addMenu("&Edit");
   undo_ = add(menu, {"undo", "&Undo", "Ctrl+Z, Z", "Takes the last step back", [this] {
-                       editor_->run({{"command", "undo"}});
+                       if (!view_->cancel_tool()) editor_->run({{"command", "undo"}});
                      }});
   redo_ = add(menu, {"redo", "&Redo", "Ctrl+Shift+Z, Ctrl+Y, Shift+Z", "Does again what was taken back", [this] {
                        editor_->run({{"command", "redo"}});
@@ -183,13 +183,11 @@ void MainWindow::make_slide_menu() {
     axes->addAction(action);
     for_selection_.push_back(action);
   }
-  const QString last = QSettings().value("mirror_axis", "x").toString();
-  set_mirror_axis(findChild<QAction*>("mirror_" + last) ? last : QString("x"));
+  set_mirror_axis("x");
 }
 
 void MainWindow::mirror_slides(const QString& axis) {
   set_mirror_axis(axis);
-  QSettings().setValue("mirror_axis", axis);
   editor_->run({{"command", "mirror_slides"}, {"axis", axis.toStdString()}, {"slides", editor_->selected_names()}});
 }
 
@@ -214,6 +212,7 @@ void MainWindow::make_cage_menu() {
                  editor_->run({{"command", "cancel"}});
              }});
   for_scene_.push_back(cancel);
+  view_->set_actions_in_drag({undo_, cancel});
   menu.addSeparator();
   for_scene_.push_back(add(menu, {"validate", "&Validate with Ceres ...", "",
                                   "An independent optimiser checks the "
@@ -238,6 +237,9 @@ void MainWindow::make_tool_bar() {
   QToolBar* bar = addToolBar("Tools");
   bar->setObjectName("tool_bar");
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  // Its arrows are dark in every theme.
+  if (auto* overflow = bar->findChild<QWidget*>("qt_toolbar_ext_button"))
+    overflow->setStyleSheet("background: #a6a8ae; border-radius: 3px;");
   bar->addActions(tools_->actions());
   bar->addSeparator();
   for (const char* name : {"snap", "mirror", "frame_all", "colours_plain", "colours_parts", "colours_coverage"})

@@ -2,6 +2,7 @@
 // Opening, and what is asked about locks and autosaves that are beside a scene.
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <chrono>
 #include <system_error>
 
@@ -54,7 +55,10 @@ void MainWindow::open(const fs::path& path) {
   const bool recovers = answer->recovers;
   const bool is_open = recovers ? editor_->attempt([&] { editor_->workspace().recover(*answer->file, saved_as); })
                                 : editor_->run({{"command", "open"}, {"path", scene.string()}});
-  if (!is_open) return autosave_->give_up_claim();
+  if (!is_open) {
+    autosave_->give_up_claim();
+    return show_not_opened(statusBar()->currentMessage());
+  }
   remember(scene);
   if (recovers) autosave_->keep_recovered();
   std::string notes;
@@ -85,6 +89,15 @@ std::optional<MainWindow::Left> MainWindow::ask_before_opening(const fs::path& o
     before = autosave_->claimed_lock().holder() == holder ? "That lock could not be removed. "
                                                           : "Since you were asked another window has taken the lock. ";
   }
+}
+
+// Somebody may not look at the line at the bottom, which says it, too. Nothing waits for the answer, and what opens
+// meanwhile takes the box away.
+void MainWindow::show_not_opened(const QString& sentence) {
+  auto* box = new QMessageBox(QMessageBox::Warning, "Not opened", sentence, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  not_opened_ = box;
+  box->open();
 }
 
 std::optional<bool> MainWindow::ask_to_remove_lock(const QString& before) {

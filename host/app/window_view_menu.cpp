@@ -121,6 +121,8 @@ void MainWindow::add_show_marks(QMenu& menu) {
   for (const auto& part : parts)
     add_show(part.name, part.text, "Whether it is drawn", part.what,
              [this, is_shown = part.is_shown] { return view_->scene().options().*is_shown; });
+  add_show("show_other_meshes", "Show Other Meshes", "Whether the meshes that are not being caged are drawn",
+           "other_meshes", [this] { return view_->scene().options().other_meshes; });
   add_show("show_speed", "Show Sp&eed", "How many cages a second follow a drag, and how long one takes", "speed",
            [this] { return view_->shows_speed(); });
 }

@@ -38,6 +38,9 @@ void OpenScene::on(const SceneEvent& event) {
   const bool is_of_parameters = event.kind == SceneEvent::Kind::parameters_set;
   (is_of_parameters ? parameters_changed : slides_changed) = true;
   changed_node = event.mesh_node;
+  using Kind = SceneEvent::Kind;
+  const bool is_touch = event.kind == Kind::slide_added || event.kind == Kind::slide_changed;
+  if (is_touch && std::ranges::find(touched, event.slide) == touched.end()) touched.push_back(event.slide);
   ++cage(event.mesh_node).content;
 }
 
@@ -47,6 +50,19 @@ std::vector<const SceneSlide*> OpenScene::slides(int node) const {
     if (slide.mesh_node == node) slides.push_back(&slide);
   }
   return slides;
+}
+
+void NodeCage::show_whole() {
+  if (!whole.failed) edited.reset();
+  if (!edited) {
+    shown = whole;
+    return;
+  }
+  shown = *edited;
+  shown.problems = whole.problems;
+  shown.asked = whole.asked;
+  shown.failed = true;
+  shown.is_of_now = false;
 }
 
 // Before the first solve the cage is that of the file.

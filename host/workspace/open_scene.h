@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,14 @@ namespace cagewright::host {
 // The cage of one mesh node.
 struct NodeCage {
   CageState shown;
-  CageState whole;             // the last that was not for editing; where it failed, with the good one before it
+  CageState whole;  // the last that was not for editing; where it failed, with the good one before it
+  // The last good one that was made for editing since the cage of `whole` was: nearer to the slides as they are now.
+  std::optional<CageState> edited;
   bool is_solved = false;      // `whole` has a cage that was made here, not read
   std::uint64_t content = 1;   // counts changes of the slides and parameters
   std::uint64_t answered = 0;  // the content that `whole` is about, failed or not
+
+  void show_whole();  // where it failed, with the newest good cage
 };
 
 // A document and what a workspace keeps with it.
@@ -44,6 +49,7 @@ class OpenScene {
   std::vector<PreviewSlide> preview;
   bool slides_changed = false, parameters_changed = false;  // since somebody was told
   int changed_node = -1;                                    // the mesh node that the last change was about
+  std::vector<std::int64_t> touched;                        // slides that were added or changed, since it was cleared
 
   bool is_saved() const { return stack.state() == saved_state; }
   std::vector<const SceneSlide*> slides(int node) const;

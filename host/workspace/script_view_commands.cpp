@@ -23,7 +23,8 @@ ScriptJson look(ScriptContext&, const ScriptArguments& arguments) {
 ScriptJson projection(ScriptContext&, const ScriptArguments&) { return {}; }
 
 ScriptJson show(ScriptContext&, const ScriptArguments& arguments) {
-  arguments.choice("what", {"model", "slides", "sections", "cage", "cage_faces", "grid", "wireframe", "speed"}, "");
+  arguments.choice(
+      "what", {"model", "other_meshes", "slides", "sections", "cage", "cage_faces", "grid", "wireframe", "speed"}, "");
   return {};
 }
 
@@ -50,7 +51,8 @@ std::vector<ScriptCommand> script_view_commands() {
       {"projection", {{"orthographic", Kind::boolean, true}}, "Orthographic, or else perspective", projection, true},
       {"show",
        {{"what", Kind::text, true}, {"on", Kind::boolean, true}},
-       "Shows or hides model, slides, sections, cage, cage_faces, grid, wireframe or speed",
+       "Shows or hides model, other_meshes (those that are not caged), slides, sections, cage, cage_faces, grid, "
+       "wireframe or speed",
        show,
        true},
       {"colours", {{"by", Kind::text, true}}, "Colours the model plain, by parts or by coverage", colours, true},

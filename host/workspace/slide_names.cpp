@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cctype>
+#include <regex>
 #include <utility>
 
 namespace cagewright::host {
@@ -44,7 +45,12 @@ std::string SlideNames::like(const std::string& wanted) {
   }
 }
 
-std::string SlideNames::copy_of(const std::string& name) { return like(name + " copy"); }
+// A copy's copy is another copy of the same: "copy copy" would go on growing.
+std::string SlideNames::copy_of(const std::string& name) {
+  static const std::regex copied("^(.+) copy( [0-9]+)?$");
+  std::smatch parts;
+  return like((std::regex_match(name, parts, copied) ? parts[1].str() : name) + " copy");
+}
 
 std::string SlideNames::mirror_of(const std::string& name) {
   static constexpr std::array<std::pair<const char*, const char*>, 6> sides = {{{"left", "right"},

@@ -21,7 +21,7 @@ class SlideNames {
 
   std::string next();                              // "slide 1", "slide 2" ...
   std::string like(const std::string& wanted);     // itself, else "wanted 2", "wanted 3" ...; next() where it is empty
-  std::string copy_of(const std::string& name);    // "knee copy", "knee copy 2" ...
+  std::string copy_of(const std::string& name);    // "knee copy", "knee copy 2" ..., also of a copy
   std::string mirror_of(const std::string& name);  // "left knee" for "right knee", else "knee mirrored"
 
  private:

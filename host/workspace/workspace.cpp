@@ -158,9 +158,13 @@ void Workspace::State::step(bool (CommandStack::*undo_or_redo)()) {
   OpenScene& open = open_scene();
   const bool was_saved = open.is_saved();
   open.changed_node = open.mesh_node;
+  open.touched.clear();
   if (!(open.stack.*undo_or_redo)()) return;
+  std::vector<std::int64_t> touched = std::exchange(open.touched, {});
   follow_document();
   if (open.changed_node != open.mesh_node) choose_mesh(open.changed_node);
+  std::erase_if(touched, [&](std::int64_t id) { return open.document.find_slide(id) == nullptr; });
+  if (!touched.empty()) select(std::move(touched));
   if (open.is_saved() != was_saved) tell(WorkspaceChange::saved);
 }
 

@@ -125,7 +125,8 @@ class Workspace {
   void set_parameter(const std::string& id, double value);
   void reset_parameters();
 
-  // ---- undo; the mesh whose slides or parameters change is then the chosen one
+  // ---- undo; the mesh whose slides or parameters change is then the chosen one, and the slides that come back or
+  // change are selected
   void undo();
   void redo();
   const CommandStack& stack() const;  // precondition: has_scene()

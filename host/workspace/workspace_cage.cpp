@@ -48,7 +48,7 @@ bool Workspace::State::ask(int mesh_node, bool editing) {
   } catch (const FileError& error) {
     node.whole.problems = {{error.what(), {}, {}}};
     node.whole.failed = true;
-    node.shown = node.whole;
+    node.show_whole();
     node.answered = node.content;
     return false;
   }
@@ -63,7 +63,7 @@ void Workspace::State::follow() {
   if (!is_editing && node.answered == node.content) {
     // What was shown while editing, or is still being made, is not of now.
     forget_requests();
-    node.shown = node.whole;
+    node.show_whole();
     tell(WorkspaceChange::cage);
     return;
   }
@@ -100,10 +100,11 @@ void Workspace::State::take(SolveResult result) {
     last = std::move(result.state);
     last.is_of_now = is_latest && content == node.content;
     node.is_solved = node.is_solved || !is_editing;
+    node.edited = is_editing ? std::optional(last) : std::nullopt;
   }
   if (!is_editing) {
     node.answered = content;
-    if (!shows || scene->preview.empty()) node.shown = node.whole;
+    if (!shows || scene->preview.empty()) node.show_whole();
   }
   if (shows) tell(WorkspaceChange::cage);
 }

@@ -159,10 +159,13 @@ std::function<void()> Workspace::copy_to_write(const std::filesystem::path& path
 
 void Workspace::export_cage(const std::filesystem::path& path) {
   OpenScene& open = state_->scene_with_mesh();
+  const bool is_text_scene = lower_ending(path) == ".gltf";
+  if (!is_text_scene && !is_writable_mesh_name(path))
+    throw FileError(path, {}, "a cage is exported as .obj, .off, .ply, .stl, .glb or .gltf");
   if (state_->is_followed) state_->wait_for(open.mesh_node);
   const TriangleMesh& cage = open.cage(open.mesh_node).whole.cage;
   if (cage.triangles.empty()) throw CommandError("there is no cage to export: see the problems of its slides");
-  if (lower_ending(path) == ".gltf") {
+  if (is_text_scene) {
     write_atomically(path, SceneDocument::of_mesh(path, cage, path.stem().string()).bytes());
   } else {
     write_atomically(path, mesh_bytes(cage, path));

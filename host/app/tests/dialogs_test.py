@@ -73,6 +73,28 @@ class Saving(DialogTest):
         self.assertEqual(window.state()['title'], title)
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_a_name_without_an_ending_gets_the_chosen_filters_and_a_scene_of_that_name_is_asked_about(self):
+        shutil.copy(path('biped.glb'), self.in_folder('taken.glb'))
+        window = self.open()
+        title = window.settle()['title']
+        window.run('remove_slides', slides=['brow'])
+        window.settle()
+        for answer in ('No', 'Yes'):
+            window.key('ctrl+shift+s')
+            self.answer(window, 'Save as', self.in_folder('taken'))
+            window.focus_dialog('Replace it')
+            if answer == 'No':
+                window.shot('replace_it')
+            window.click_widget(answer)
+            window.focus('main_window')
+            if answer == 'No':
+                self.assertEqual(window.state()['title'].replace('*', ''), title)
+        self.status(window, 'Saved taken.glb')
+        self.assertFalse(os.path.exists(self.in_folder('taken')))
+        window.key('ctrl+shift+s')
+        self.answer(window, 'Save as', self.in_folder('free'))
+        self.status(window, 'Saved free.glb')
+
     def test_saving_the_scene_of_a_model_asks_where_another_has_its_name(self):
         shutil.copy(path('biped.off'), self.in_folder('taken.off'))
         shutil.copy(path('biped.glb'), self.in_folder('taken.glb'))
@@ -105,6 +127,34 @@ class Exporting(DialogTest):
         self.status(window, 'Exported a picture to view.png')
         with open(self.in_folder('view.png'), 'rb') as file:
             self.assertEqual(file.read(4), b'\x89PNG')
+
+    def test_names_without_an_ending_get_one(self):
+        window = self.open()
+        window.settle()
+        window.key('ctrl+e')
+        self.answer(window, 'Export the cage', self.in_folder('cage'))
+        self.status(window, 'Exported the cage to cage.obj')
+        window.focus('main_window')
+        window.key('alt+f', 'p')
+        self.answer(window, 'Export a picture', self.in_folder('view'))
+        self.status(window, 'Exported a picture to view.png')
+
+    def test_an_export_that_fails_says_so_in_a_box_with_the_endings_that_can_be(self):
+        window = self.open()
+        window.settle()
+        window.key('ctrl+e')
+        self.answer(window, 'Export the cage', self.in_folder('cage.txt'))
+        window.focus_dialog('Not exported')
+        self.assertIn('cage.txt: a cage is exported as .obj, .off, .ply, .stl, .glb or .gltf',
+                      window.where(widget='qt_msgbox_label')['text'])
+        window.click_widget('OK')
+        window.focus('main_window')
+        window.key('alt+f', 'p')
+        self.answer(window, 'Export a picture', self.in_folder('view.jpg'))
+        window.focus_dialog('Not exported')
+        self.assertIn('a picture is written as .png', window.where(widget='qt_msgbox_label')['text'])
+        window.click_widget('OK')
+        self.assertEqual(os.listdir(self.folder), [])
 
     def turntable(self, window, frames):
         window.focus('main_window')

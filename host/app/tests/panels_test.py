@@ -32,6 +32,40 @@ class Panels(WindowTest):
         time.sleep(1.2)
         self.assertIn('-4.78123456e-17', window.where(widget='qtooltip_label')['text'])
 
+    def test_the_report_says_of_how_many_slides_the_last_good_cage_is_where_there_are_others_now(self):
+        window = self.open('biped.off')
+        window.settle()
+        window.run('add_slide', name='shin', point=[0.138, 0.3, 0.05])
+        self.assertTrue(window.settle()['cage']['certified'])
+        window.run('paste_slides', slides=[{'name': 'low', 'point': [0.138, 0.7, 0.05], 'normal': [0, 1, 0]},
+                                           {'name': 'tilted', 'point': [0.138, 0.7, 0.05], 'normal': [0.5, 1, 0]}])
+        self.assertTrue(window.settle()['cage']['failed'])
+        self.assertEqual(window.where(widget='verdict')['text'],
+                         'The last good cage, of 1 slide: the 3 as they are now give none')
+
+    def test_the_verdict_can_be_read_in_both_themes_also_where_the_theme_is_changed(self):
+        def contrast(window, name):
+            """Of the verdict's strongest pixels and its ground, as WCAG 2 has it."""
+            at = window.where(widget='verdict')
+            shot = window.shot(name)
+
+            def luminance(pixel):
+                parts = [c / 255 for c in pixel]
+                parts = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055)**2.4 for c in parts]
+                return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+            seen = [luminance(shot.at(x, y)) for x in range(at['x'], at['x'] + at['width'])
+                    for y in range(at['y'], at['y'] + at['height'])]
+            ground = max(set(seen), key=seen.count)
+            return max((max(it, ground) + 0.05) / (min(it, ground) + 0.05) for it in seen)
+        window = self.open()
+        window.settle()
+        self.assertIn('Certified', window.where(widget='verdict')['text'])
+        window.move(700, 450)
+        self.assertGreater(contrast(window, 'verdict_dark'), 4.5)
+        window.key('alt+v', 'k')
+        window.settle()
+        self.assertGreater(contrast(window, 'verdict_light'), 4.5)
+
     def type_into(self, window, name, text, end='Return'):
         field = window.where(widget=name)
         window.click(field['x'] + 10, field['y'] + field['height'] / 2)
@@ -171,6 +205,18 @@ class Sizes(WindowTest):
                 window.shot('size_%d' % width)
                 if (width, height) in ((1400, 900), (1200, 600)):
                     self.assertEqual(self.seen(window), list(self.panels))
+
+    def test_the_tool_bars_overflow_is_seen_in_the_dark(self):
+        window = self.open()
+        window.settle()
+        window.resize(700, 500)
+        at = window.where(widget='qt_toolbar_ext_button')
+        inside = (at['x'] + 2, at['y'] + 2, at['width'] - 4, at['height'] - 4)
+        shot = window.shot('overflow')
+        dark, bright = (shot.count(inside, is_it) for is_it in (lambda r, g, b: max(r, g, b) < 90,
+                                                                lambda r, g, b: min(r, g, b) > 140))
+        self.assertGreater(dark, 8)
+        self.assertGreater(bright, 3 * dark)
 
     def test_in_a_small_window_the_panels_are_tabs_that_can_be_clicked(self):
         window = self.open()

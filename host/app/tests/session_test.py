@@ -86,6 +86,27 @@ class Scenes(WindowTest):
         window.key('ctrl+s')
         window.wait_until(lambda s: s['saved'], 'its own file is saved unasked')
 
+    def test_a_scene_that_another_has_written_can_be_saved_under_another_name(self):
+        scene = path('theirs.glb')
+        shutil.copy(path('biped.glb'), scene)
+        window = self.open('theirs.glb')
+        window.settle()
+        window.run('remove_slides', slides=['neck'])
+        window.settle()
+        time.sleep(0.05)
+        shutil.copy(path('biped.glb'), scene)
+        window.key('ctrl+s')
+        window.focus_dialog('Changed by another')
+        window.shot('changed_by_another')
+        window.click_widget('Save As ...')
+        window.focus_dialog('Save as')
+        window.wait_until(lambda s: s['focus'] == 'fileNameEdit', 'a name can be typed')
+        window.key('ctrl+a')
+        window.type(path('mine.glb'))
+        window.key('Return')
+        window.wait_until(lambda s: s['status'] == 'Saved mine.glb', 'it is saved there')
+        self.assertEqual(read(scene), read(path('biped.glb')))
+
     def test_a_scene_that_cannot_be_opened_is_said_on_the_terminal_too(self):
         with open(path('text.glb'), 'w') as file:
             file.write('not a scene')

@@ -269,6 +269,43 @@ class Editing(WindowTest):
         window.key('ctrl+z')
         window.wait_until(lambda s: self.slide(s, 'left_knee')['center'] == before['center'], 'undone')
 
+    def test_undo_takes_back_a_drag_that_goes_on_and_nothing_before_it_and_no_other_key_is_heard(self):
+        window = self.open()
+        window.settle()
+        window.run('remove_slides', slides=['brow'])
+        self.select(window, 'left_knee')
+        before = window.state()
+        window.key('w')
+        time.sleep(0.3)
+        at = window.where(handle=2)
+        there = (at['x'] + 25, at['y'] + 18)
+        window.drag([(at['x'], at['y']), there], pause=0.03, release=False)
+        window.wait_until(lambda s: s['cage']['is_of_editing'], 'the cage follows')
+        window.key('Delete', 'ctrl+shift+z', 'ctrl+d', 'm', 'ctrl+a', 'd')
+        state = window.state()
+        self.assertEqual((state['slides'], state['undo'], state['selection'], state['cage']['is_of_editing']),
+                         (before['slides'], before['undo'], ['left_knee'], True))
+        window.key('ctrl+z')
+        window.wait_until(lambda s: not s['cage']['is_of_editing'], 'the drag is given up')
+        window.key('ctrl+z', 'Delete')  # the button is held still
+        window.release()
+        state = window.settle()
+        self.assertEqual((state['slides'], state['undo']), (before['slides'], before['undo']))
+        window.key('ctrl+z')
+        window.wait_until(lambda s: len(s['slides']) == len(before['slides']) + 1, 'the step before is taken back')
+
+    def test_undo_takes_back_a_stroke_that_is_being_drawn_and_nothing_before_it(self):
+        window = self.open()
+        before = window.settle()
+        window.run('remove_slides', slides=['brow'])
+        window.settle()
+        window.key('d')
+        window.drag(list(self.leg(window)[:2]), pause=0.03, release=False)
+        window.key('Delete', 'z')
+        window.release()
+        state = window.settle()
+        self.assertEqual(len(state['slides']), len(before['slides']) - 1)
+
     def test_keys_delete_and_duplicate_and_mirror(self):
         window = self.open()
         window.settle()

@@ -166,6 +166,49 @@ TEST_F(CageFollowsTest, AFailingSlideIsNamedInAProblemAndTheLastGoodCageStays) {
   EXPECT_TRUE(workspace_.cage().problems.empty());
 }
 
+TEST_F(CageFollowsTest, TheLastGoodCageIsThatOfTheDragThatWentWrongAndNotAnOlderOne) {
+  open_with_slides({-0.5});
+  workspace_.wait_for_cage();
+  const TriangleMesh of_one = workspace_.cage().cage;
+  workspace_.add_slide(across("", 0.5));  // no whole cage of both is waited for
+  Slide::Ellipse dragged = ellipse("slide 2");
+  dragged.center[1] = 0.2;
+  workspace_.set_preview({{id("slide 2"), dragged}});
+  workspace_.wait_for_cage();
+  ASSERT_TRUE(workspace_.cage().is_of_editing);
+  const TriangleMesh of_drag = workspace_.cage().cage;
+  dragged.center[1] = -0.5;
+  dragged.u = {1, 0.4, 0};
+  workspace_.set_preview({{id("slide 2"), dragged}});
+  workspace_.wait_for_cage();
+  workspace_.change_slides({{id("slide 2"), dragged}}, "move slide");
+  workspace_.wait_for_cage();
+  ASSERT_TRUE(workspace_.cage().failed);
+  EXPECT_FALSE(workspace_.cage().is_of_now);
+  EXPECT_FALSE(workspace_.cage().problems.empty());
+  EXPECT_EQ(workspace_.cage().cage.points, of_drag.points);
+  EXPECT_NE(workspace_.cage().cage.points, of_one.points);
+  workspace_.undo();
+  workspace_.wait_for_cage();
+  EXPECT_TRUE(workspace_.cage().is_of_now);
+  EXPECT_EQ(workspace_.cage().section_slides.size(), 2U);
+}
+
+TEST_F(CageFollowsTest, ADragThatWasGivenUpLeavesNoLastGoodCage) {
+  open_with_slides({-0.5, 0.5});
+  workspace_.wait_for_cage();
+  const TriangleMesh good = workspace_.cage().cage;
+  Slide::Ellipse dragged = ellipse("slide 2");
+  dragged.center[1] = 0.2;
+  workspace_.set_preview({{id("slide 2"), dragged}});
+  workspace_.wait_for_cage();
+  workspace_.clear_preview();
+  workspace_.add_slide({"across it", Slide::PointNormal{{0.3, -0.5, 0}, {0.4, 1, 0}}});
+  workspace_.wait_for_cage();
+  ASSERT_TRUE(workspace_.cage().failed);
+  EXPECT_EQ(workspace_.cage().cage.points, good.points);
+}
+
 TEST_F(CageFollowsTest, ASlideThatMissesTheModelIsAProblemOfThatSlideAlone) {
   open_with_slides({0});
   Slide::Ellipse away = ellipse("slide 1");

@@ -239,6 +239,41 @@ TEST_F(WorkspaceSlidesTest, WhatIsSelectedGoesWithItsSlideAndIsNoStepOfUndo) {
   EXPECT_THROW(workspace_.select({12345}), CommandError);
 }
 
+TEST_F(WorkspaceSlidesTest, WhatUndoAndRedoBringBackOrChangeIsSelected) {
+  open_with_slides({-0.5, 0.5, 0.9});
+  const std::int64_t first = id("slide 1"), second = id("slide 2");
+  workspace_.remove_slides({first, second});
+  workspace_.select({id("slide 3")});
+  workspace_.undo();
+  EXPECT_EQ(std::ranges::count(workspace_.selection(), first), 1);
+  EXPECT_EQ(std::ranges::count(workspace_.selection(), second), 1);
+  EXPECT_EQ(workspace_.selection().size(), 2U) << "slide 3 has not changed";
+  workspace_.redo();
+  EXPECT_TRUE(workspace_.selection().empty());
+  workspace_.undo();
+
+  const std::vector<std::int64_t> mirrored = workspace_.mirror_slides({first}, 1, {});
+  workspace_.undo();
+  EXPECT_TRUE(workspace_.selection().empty());
+  workspace_.redo();
+  EXPECT_EQ(workspace_.selection(), mirrored);
+
+  workspace_.rename_slide(second, "knee");
+  workspace_.select({});
+  workspace_.undo();
+  EXPECT_EQ(workspace_.selection(), std::vector{second});
+}
+
+TEST_F(WorkspaceSlidesTest, ACopysCopyIsAnotherCopyOfTheSame) {
+  open_with_slides({-0.5});
+  std::vector<std::int64_t> last = {id("slide 1")};
+  for (int i = 0; i < 3; ++i) last = workspace_.duplicate_slides(last);
+  EXPECT_EQ(names(), (Names{"slide 1", "slide 1 copy", "slide 1 copy 2", "slide 1 copy 3"}));
+  workspace_.rename_slide(id("slide 1"), "copy");
+  workspace_.duplicate_slides({id("copy")});
+  EXPECT_EQ(names().back(), "copy copy");
+}
+
 TEST_F(WorkspaceSlidesTest, WhatCannotBeDoneIsSaidInASentenceAndChangesNothing) {
   EXPECT_TRUE(holds(sentence_of<CommandError>([&] { workspace_.add_slide(across("a", 0)); }), "no scene is open"));
   EXPECT_TRUE(holds(sentence_of<CommandError>([&] { workspace_.undo(); }), "no scene is open"));

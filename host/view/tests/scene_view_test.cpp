@@ -159,6 +159,30 @@ TEST_F(SceneLook, LabelsStayInTheWindowAndOffOneAnother) {
   EXPECT_NEAR(four / one, 4, 0.1);
 }
 
+TEST_F(SceneLook, OfManySentencesAFewAreShownThoseOfSelectedSlidesFirstAndHowManyMoreThereAre) {
+  std::vector<ShownSlide> slides;
+  for (int i = 0; i < 29; ++i) {
+    slides.push_back(level_slide(i, 1, 0.01 * i));
+    slides.back().failed = true;
+    slides.back().label = "this slide does not cut the model anywhere at all, look";
+  }
+  view->set_meshes({shown(sphere_mesh(12))});
+  view->set_slides({slides.front()});
+  frame_all();
+  const auto one = static_cast<double>(draw().count(is_text));
+  view->set_slides({slides.begin(), slides.begin() + 5});
+  const auto five = static_cast<double>(draw().count(is_text));
+  view->set_slides(slides);
+  const auto many = static_cast<double>(draw("many").count(is_text));
+  EXPECT_NEAR(five / one, 5, 0.1);
+  EXPECT_GT(many, five + 0.2 * one) << "how many more there are is said";
+  EXPECT_LT(many, five + 0.8 * one);
+  slides.back().label = "|";  // hardly any text
+  slides.back().is_selected = true;
+  view->set_slides(slides);
+  EXPECT_LT(static_cast<double>(draw("selected").count(is_text)), many - 0.7 * one);
+}
+
 TEST_F(SceneLook, LabelsAreOfSlidesThatAreInTheWindowAlone) {
   ShownSlide far = level_slide(1, 0.3), near = level_slide(2, 1);
   far.failed = true;
@@ -302,6 +326,21 @@ TEST_F(SceneLook, OtherMeshesAreDim) {
   const Image image = draw();
   const auto sphere = [](int r, int g, int b) { return is_model_grey(r, g, b); };
   EXPECT_GT(image.count(sphere, 0, 0.5), 3 * image.count(sphere, 0.5, 1));
+}
+
+TEST_F(SceneLook, OtherMeshesThatAreSwitchedOffHideNothingAndAreNotFoundUnderTheMouse) {
+  ShownMesh other = shown(sphere_mesh(24), 1, false);
+  other.to_scene = translation(0, 0, 3);
+  view->set_meshes({shown(sphere_mesh(24)), other});
+  camera->look_along(CameraControl::Axis::front);
+  frame_all();
+  EXPECT_EQ(view->pick(320, 240, false).node, 1);
+  const auto behind = draw("behind").count(is_model_grey);
+  ViewOptions options = view->options();
+  options.other_meshes = false;
+  show(options);
+  EXPECT_GT(draw("alone").count(is_model_grey), behind + 5000);
+  EXPECT_EQ(view->pick(320, 240, false).node, 0);
 }
 
 TEST_F(SceneLook, MirroredAndClosedMeshesShowTheirOutside) {

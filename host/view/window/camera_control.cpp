@@ -165,6 +165,17 @@ void CameraControl::look_along(Axis axis) {
   update_clipping();
 }
 
+void CameraControl::look_from(const Point3& toward_viewer) {
+  Place place = place_of(renderer_);
+  const double distance = (place.eye - place.focal_point).norm();
+  const Vector3d forward = -to_vector(toward_viewer);
+  const Vector3d level = forward.cross(to_vector(up_));
+  // Straight from above or below any right is level.
+  const Vector3d right = level.norm() > 1e-6 ? Vector3d(level.normalized()) : Projection(renderer_).right;
+  put(renderer_, {place.focal_point - distance * forward, place.focal_point, right.cross(forward).normalized()});
+  update_clipping();
+}
+
 void CameraControl::set_orthographic(bool orthographic) {
   renderer_.GetActiveCamera()->SetParallelProjection(orthographic ? 1 : 0);
   update_clipping();

@@ -29,7 +29,8 @@ class CameraControl {
   enum class Axis { front, back, left, right, top, bottom, perspective };  // perspective: the first view
   // Centre and distance stay, and whether it is orthographic.
   void look_along(Axis axis);
-  void set_orthographic(bool orthographic);  // what is at the centre keeps its size
+  void look_from(const Point3& toward_viewer);  // unit; likewise
+  void set_orthographic(bool orthographic);     // what is at the centre keeps its size
   bool is_orthographic() const;
   void turn(double degrees);  // about the world's up, through the centre of interest: turntables
   void set_up(const Point3& up);

@@ -15,9 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSlideReach = 6;    // pixels
-constexpr double kAlike = 1;         // pixels: of what is as near as that the nearer to the viewer is meant
-constexpr double kPlaceSize = 0.04;  // of the active mesh's diagonal, to either side
+constexpr double kSlideReach = 6;     // pixels
+constexpr double kAlike = 1;          // pixels: of what is as near as that the nearer to the viewer is meant
+constexpr double kPlaceSize = 0.125;  // of the active mesh's diagonal, to either side
 constexpr double kHiddenTolerance =
     0.01;  // of the distance to the centre: a slide so far behind the model is still on it
 
@@ -127,7 +127,7 @@ Hit SceneView::pick(double x, double y, bool slides_first) const {
   const SightLine line = projection.sight_line(x, y);
   std::optional<ModelHit> model;
   for (const MeshEntry& entry : state_->meshes) {
-    const auto hit = state_->options.model ? hit_of(entry, line) : std::nullopt;
+    const auto hit = state_->shows(entry) ? hit_of(entry, line) : std::nullopt;
     if (hit && (!model || hit->along < model->along)) model = hit;
   }
   std::optional<SlideHit> slide;

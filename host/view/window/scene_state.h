@@ -45,6 +45,7 @@ struct SceneView::State {
   State& operator=(const State&) = delete;
 
   const MeshEntry* active() const;
+  bool shows(const MeshEntry& entry) const;
   Eigen::Matrix4d active_to_scene() const;    // identity where none is active
   Eigen::Matrix4d active_from_scene() const;  // likewise, and where it is flat
   void apply_transform();                     // the active mesh's, to all that is in its space
@@ -75,7 +76,8 @@ struct SceneView::State {
   SlideActors slide_actors;
   SlideLabels slide_labels;
   PlaceMark place_mark;
-  LineActor stroke;
+  LineActor stroke, open_edges;
+  std::shared_ptr<const TriangleMesh> mesh_of_open_edges;  // null: they are not known
   vtkNew<vtkLight> light;
   vtkNew<vtkRenderStepsPass> pass;
   vtkNew<StillLayer> still_layer;

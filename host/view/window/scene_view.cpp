@@ -12,6 +12,7 @@
 
 #include "host/view/polydata.h"
 #include "host/view/window/colours.h"
+#include "host/view/window/open_edges.h"
 #include "host/view/window/projection.h"
 #include "host/view/window/scene_state.h"
 
@@ -20,6 +21,8 @@ namespace {
 
 // On top of the model: both looks alike, before and behind it.
 constexpr LineStyle kStroke{colours::stroke, 3, 1, 1};
+
+constexpr LineStyle kOpenEdges{colours::failed_slide, 3, 1, 0.35};
 
 constexpr std::size_t kMostMarks = 5000;  // of vertices outside; so many are seen by their colour
 
@@ -55,7 +58,8 @@ SceneView::State::State(vtkRenderer& of)
       slide_actors(of),
       slide_labels(of),
       place_mark(of),
-      stroke(of, kStroke) {
+      stroke(of, kStroke),
+      open_edges(of, kOpenEdges) {
   renderer.AutomaticLightCreationOff();
   renderer.RemoveAllLights();
   light->SetLightTypeToCameraLight();
@@ -89,6 +93,10 @@ const MeshEntry* SceneView::State::active() const {
   return found == meshes.end() ? nullptr : &*found;
 }
 
+bool SceneView::State::shows(const MeshEntry& entry) const {
+  return options.model && (entry.shown.is_active || options.other_meshes);
+}
+
 Eigen::Matrix4d SceneView::State::active_to_scene() const {
   return active() == nullptr ? Eigen::Matrix4d(Eigen::Matrix4d::Identity()) : active()->to_scene;
 }
@@ -103,6 +111,7 @@ void SceneView::State::apply_transform() {
   cage_actors.set_transform(to_scene);
   slide_actors.set_transform(to_scene);
   stroke.set_transform(to_scene);
+  open_edges.set_transform(to_scene);
   if (parts != nullptr) parts->set_transform(to_scene);
 }
 
@@ -155,7 +164,7 @@ void SceneView::State::apply_look() {
   if (shows_coverage && options.model && !outside_is_coloured) colour_outside();
   for (const MeshEntry& entry : meshes) {
     const bool is_active = entry.shown.is_active;
-    entry.surface->actor().SetVisibility(options.model && !(is_active && shows_parts));
+    entry.surface->actor().SetVisibility(shows(entry) && !(is_active && shows_parts));
     entry.surface->set_colour(is_active      ? colours::model
                               : options.dark ? colours::other_model
                                              : colours::other_model_on_light);
@@ -180,6 +189,7 @@ void SceneView::State::before_frame() {
   cage_actors.set_pixel_ratio(ratio);
   slide_actors.set_pixel_ratio(ratio);
   stroke.set_pixel_ratio(ratio);
+  open_edges.set_pixel_ratio(ratio);
   slide_labels.place(active_to_scene());
   place_mark.follow(active_to_scene());
 }
@@ -227,6 +237,7 @@ void SceneView::set_meshes(std::vector<ShownMesh> meshes) {
   if (now == nullptr || now->shown.mesh != active_before) {
     set_parts({}, {});
     set_outside({});
+    show_open_edges(false);
   }
   state_->apply_transform();
   state_->apply_look();
@@ -266,6 +277,15 @@ void SceneView::set_stroke(const std::vector<Point3>& points) {
 }
 
 void SceneView::set_place(const std::optional<Point3>& place) { state_->place_mark.set(place); }
+
+void SceneView::show_open_edges(bool shown) {
+  const MeshEntry* active = state_->active();
+  if (shown && active != nullptr && state_->mesh_of_open_edges != active->shown.mesh) {
+    state_->mesh_of_open_edges = active->shown.mesh;
+    state_->open_edges.set(open_edges(*active->shown.mesh), false);
+  }
+  state_->open_edges.set_visible(shown && active != nullptr);
+}
 
 void SceneView::set_options(const ViewOptions& options) {
   state_->options = options;

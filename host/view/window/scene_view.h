@@ -42,7 +42,8 @@ struct ShownCage {
 
 // What is drawn, and how.
 struct ViewOptions {
-  bool model = true, slides = true, sections = true, cage = true, cage_faces = true, grid = true, wireframe = false;
+  bool model = true, other_meshes = true, slides = true, sections = true, cage = true, cage_faces = true, grid = true,
+       wireframe = false;
   enum class Colours { plain, parts, coverage } colours = Colours::plain;
   bool dark = true;  // background and grid
 };
@@ -77,6 +78,8 @@ class SceneView {
   void set_stroke(const std::vector<Point3>& points);  // while it is drawn; empty: none
   // A mark on top of everything, in the active mesh's space; empty: none.
   void set_place(const std::optional<Point3>& place);
+  // Lines where the active mesh is open, as long as it is the active one. Finding them is O(n log n).
+  void show_open_edges(bool shown);
   void set_options(const ViewOptions& options);
   const ViewOptions& options() const;
 
@@ -89,13 +92,17 @@ class SceneView {
   Ray ray(double x, double y) const;                            // in the active mesh's space
   std::array<double, 2> to_display(const Point3& point) const;  // of the active mesh's space
   Matrix4 active_to_scene() const;                              // identity where no mesh is active
+  // Towards a viewer who would see this place of the active mesh's space, unit, in the scene's space; as straight on
+  // its surface as can be. Empty: it is seen well now, or from nowhere, as within the model. O(n).
+  std::optional<Point3> direction_to_see(const Point3& place) const;
 
   // Bounds in the scene's space {x0, x1, y0, y1, z0, z1}; empty: nothing there. Of meshes and slides alone: what is
   // framed does not depend on how far the cage has come.
   std::optional<std::array<double, 6>> bounds() const;
   std::optional<std::array<double, 6>> bounds_of_model() const;  // the active mesh
   std::optional<std::array<double, 6>> bounds_of_slides(const std::vector<std::int64_t>& ids) const;
-  std::optional<std::array<double, 6>> bounds_of_place(const Point3& place) const;  // a small box round it
+  std::optional<std::array<double, 6>> bounds_of_place(
+      const Point3& place) const;  // a box round it, a quarter of the active mesh's diagonal
 
  private:
   struct State;

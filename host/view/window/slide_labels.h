@@ -14,7 +14,8 @@
 namespace cagewright::host {
 
 // Text beside slides that failed or are selected, to the right of their ellipses or, where there is no room, to the
-// left; within the window, not over one another. Of a slide that is off the window there is none: at the window's edge
+// left; within the window, not over one another. Of failed slides a few, those that are selected first; how many more
+// there are is said in the corner. Of a slide that is off the window there is none: at the window's edge
 // it would be beside something else.
 class SlideLabels {
  public:
@@ -36,9 +37,11 @@ class SlideLabels {
     vtkSmartPointer<vtkTextActor> actor;
   };
   void add(const ShownSlide& slide);
+  void place_more(std::size_t count);
 
   vtkRenderer& renderer_;
-  std::vector<Label> labels_;
+  std::vector<Label> labels_;  // in the order in which they are given room
+  vtkSmartPointer<vtkTextActor> more_;
   bool visible_ = true;
 };
 
