@@ -45,11 +45,7 @@ std::optional<fs::path> Autosave::left_of_claimed(bool is_gone) const {
   if (scene.empty() || (claimed_.is_elsewhere() && !is_gone)) return {};
   const fs::path file = file_for(scene);
   std::error_code none;
-  const auto written = fs::last_write_time(file, none);
-  if (none) return {};
-  const auto saved = fs::last_write_time(scene, none);
-  if (!none && saved > written) return {};
-  return file;
+  return fs::exists(file, none) ? std::optional(file) : std::nullopt;
 }
 
 void Autosave::take_lock() {

@@ -35,8 +35,8 @@ class Autosave : public QObject {
   // Whether another window's lock kept it from that, of which nobody can tell if it is still there.
   bool is_claim_doubtful() const { return claimed_.is_doubtful(); }
   const SceneLock& claimed_lock() const { return claimed_; }
-  // The autosave of what was claimed, where it is newer than the scene or the scene is not there. Nothing where there
-  // is none, or where it is that of another window, unless that `is_gone`.
+  // The autosave of what was claimed, also where the scene was written since. Nothing where there is none, or where it
+  // is that of another window, unless that `is_gone`.
   std::optional<std::filesystem::path> left_of_claimed(bool is_gone) const;
   // Removes the lock of that window, which is gone, and claims again. False: see SceneLock::take_by_force.
   bool claim_by_force() { return claimed_.take_by_force(); }

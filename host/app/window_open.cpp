@@ -25,6 +25,16 @@ std::chrono::seconds age_of(const fs::path& file) {
   return std::chrono::duration_cast<std::chrono::seconds>(fs::file_time_type::clock::now() - time);
 }
 
+// Written by somebody else: this program removes what was not saved once it has saved.
+QString written_since_text(const fs::path& left, const fs::path& scene) {
+  std::error_code error;
+  const auto left_at = fs::last_write_time(left, error);
+  const auto scene_at = fs::last_write_time(scene, error);
+  if (error || scene_at <= left_at) return {};
+  return QString(" %1 itself was written since, %2: to save what was recovered replaces that.")
+      .arg(text_of(scene.filename()), QString::fromStdString(age_text(age_of(scene))));
+}
+
 // What No does where it is asked whether to recover `left` of a scene.
 QString no_text(const fs::path& left, const fs::path& opened, const fs::path& scene) {
   std::error_code none;
@@ -120,11 +130,13 @@ std::optional<bool> MainWindow::ask_to_remove_lock(const QString& before) {
 }
 
 std::optional<bool> MainWindow::ask_to_recover(const fs::path& left, const fs::path& opened, const fs::path& scene) {
+  const QString since = written_since_text(left, scene);
   const auto answer = QMessageBox::question(
       this, "Recover changes?",
-      QString("The program ended before %1 was saved. What was not saved was last written %2. Recover it?\n\n%3")
-          .arg(text_of(scene.filename()), QString::fromStdString(age_text(age_of(left))), no_text(left, opened, scene)),
-      QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
+      QString("The program ended before %1 was saved. What was not saved was last written %2.%3 Recover it?\n\n%4")
+          .arg(text_of(scene.filename()), QString::fromStdString(age_text(age_of(left))), since,
+               no_text(left, opened, scene)),
+      QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, since.isEmpty() ? QMessageBox::Yes : QMessageBox::No);
   if (answer == QMessageBox::Cancel) return {};
   return answer == QMessageBox::Yes;
 }

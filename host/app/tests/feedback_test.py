@@ -306,7 +306,7 @@ class Outliner(WindowTest):
         window.run('add_slide', name='elbow', point=[0.46, 1.36, -0.02])
         window.settle()
         problems = window.run('wait')['problems']
-        kinds = ('could not stay in their planes', 'times as large as the model')
+        kinds = ('could not stay in its plane', 'times as large as the model', 'run into each other')
         for kind in kinds:
             self.assertEqual(sum(kind in problem['sentence'] for problem in problems), 1)
         self.assertFalse(any(all(kind in problem['sentence'] for kind in kinds) for problem in problems))

@@ -41,7 +41,6 @@ class QuestionTest(WindowTest):
             time.sleep(0.1)
         time.sleep(0.5)
 
-
     def folder_of_its_own(self):
         """Where permissions bind, also where root runs this."""
         folder = path('own')
@@ -80,6 +79,30 @@ class Recovering(QuestionTest):
         asked = self.question(window, 'Recover', 'recover')
         for words in ('last written 3 minutes ago', 'No opens the scene as it was saved', 'left_recovered_1.glb'):
             self.assertIn(words, asked)
+
+    def test_a_scene_that_was_written_since_is_told_and_no_is_the_answer_of_the_enter_key(self):
+        saved = self.crash(minutes=7)
+        written = os.path.getmtime(saved) + 5 * 60
+        os.utime(path('left.glb'), (written, written))
+        window = self.open('left.glb')
+        asked = self.question(window, 'Recover', 'recover_older')
+        for words in ('last written 7 minutes ago', 'left.glb itself was written since, 2 minutes ago',
+                      'to save what was recovered replaces that'):
+            self.assertIn(words, asked)
+        window.key('Return')
+        window.wait_until(lambda s: s['has_scene'], 'it is open')
+        self.assertIn('brow', self.slides(window))
+        self.assertTrue(os.path.exists(path('left_recovered_1.glb')))
+
+    def test_what_was_not_saved_can_be_recovered_where_the_scene_was_written_since(self):
+        saved = self.crash(minutes=7)
+        os.utime(path('left.glb'))
+        window = self.open('left.glb')
+        self.question(window, 'Recover', None)
+        window.click_widget('Yes')
+        window.wait_until(lambda s: s['has_scene'], 'it is open')
+        self.assertNotIn('brow', self.slides(window))
+        self.assertTrue(os.path.exists(saved))
 
     def test_no_opens_what_was_saved_and_keeps_the_changes_aside(self):
         saved = self.crash()
