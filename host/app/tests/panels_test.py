@@ -303,7 +303,7 @@ class Sizes(WindowTest):
             with self.subTest(size):
                 window.resize(*size)
                 window.resize(1400, 900)
-                self.assertEqual(self.heights(window), before)
+                window.wait_until(lambda s: self.heights(window) == before, 'they are as high as %r' % before)
 
     def test_what_was_done_to_panels_is_there_after_the_window_was_closed_small(self):
         home = tempfile.mkdtemp(prefix='cagewright-home-')

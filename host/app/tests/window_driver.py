@@ -192,7 +192,8 @@ class Window:
     # ---- mouse and keys
 
     def xdotool(self, *arguments):
-        subprocess.run(['xdotool', *map(str, arguments)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(['xdotool', *map(str, arguments)], env=self.environment, check=True, stdout=subprocess.DEVNULL,
+                       timeout=60)
 
     def focus(self, _name):
         """Keys go to the window on top: there is no window manager that would see to it."""
@@ -204,8 +205,13 @@ class Window:
 
     def resize(self, width, height):
         self.xdotool('search', '--sync', '--onlyvisible', '--pid', self.process.pid, '--name', 'Cagewright|cagewright',
-                     'windowsize', '--sync', width, height)
-        self.wait_until(lambda s: self.where(widget='main_window')['width'] == width, 'it has that size')
+                     'windowsize', width, height)
+
+        def has_size(_):
+            at = self.where(widget='main_window')
+            return (at['width'], at['height']) == (width, height)
+
+        self.wait_until(has_size, 'it has that size')
         time.sleep(0.3)
 
     def move(self, x, y):
