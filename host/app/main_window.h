@@ -84,6 +84,7 @@ class MainWindow : public QMainWindow {
   // Whether the panels are tabs on the left, so that the view has the room; they go back to where they were, and are
   // as high as they were, but what was shown or hidden meanwhile stays so.
   void set_narrow(bool narrow);
+  void forget_border();              // that the pointer is on, before panels are moved
   void show_tab(QDockWidget* dock);  // of a narrow window, in front of the others
   // Panels and tool bar, by their object names.
   QStringList shown_panels() const;

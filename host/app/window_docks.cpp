@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The panels round the view, and where they are in a window that is too small for all of them.
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QEvent>
+#include <QHoverEvent>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QSettings>
@@ -105,8 +107,16 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
+// Qt keeps which border between panels the pointer is on, and looks that up when the pointer leaves it, also where
+// panels have moved meanwhile: it may not be there any more, which ends the program.
+void MainWindow::forget_border() {
+  QHoverEvent leave(QEvent::HoverLeave, QPointF(-1, -1), QPointF(-1, -1));
+  QCoreApplication::sendEvent(this, &leave);
+}
+
 void MainWindow::set_narrow(bool narrow) {
   if (narrow == is_narrow_) return;
+  forget_border();
   if (!narrow) {
     const QStringList shown = shown_panels();
     is_narrow_ = false;
@@ -137,6 +147,7 @@ void MainWindow::set_narrow(bool narrow) {
 
 void MainWindow::show_tab(QDockWidget* dock) {
   if (!is_narrow_ || dock->isFloating() || dock->isHidden()) return;
+  forget_border();
   addDockWidget(Qt::LeftDockWidgetArea, dock);
   for (QDockWidget* other : findChildren<QDockWidget*>())
     if (other != dock && !other->isFloating() && !other->isHidden()) {

@@ -305,6 +305,21 @@ class Sizes(WindowTest):
                 window.resize(1400, 900)
                 window.wait_until(lambda s: self.heights(window) == before, 'they are as high as %r' % before)
 
+    def test_the_pointer_may_be_on_a_border_between_panels_while_they_become_tabs_and_back(self):
+        window = self.open()
+        window.settle()
+        for upper in ('attributes_dock', 'outliner_dock') * 3:
+            with self.subTest(upper):
+                self.drag_down(window, upper, -10)
+                window.resize(700, 500)
+                window.move(350, 250)
+                at = window.where(widget='view')
+                window.move(at['x'] - 2, at['y'] + at['height'] / 2)
+                time.sleep(0.2)
+                window.resize(1400, 900)
+                window.move(700, 450)
+                self.assertEqual(self.seen(window), list(self.panels))
+
     def test_what_was_done_to_panels_is_there_after_the_window_was_closed_small(self):
         home = tempfile.mkdtemp(prefix='cagewright-home-')
         self.addCleanup(shutil.rmtree, home, True)
