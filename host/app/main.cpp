@@ -87,6 +87,7 @@ int show_window(int argc, char** argv, const Arguments& arguments) {
   QCoreApplication::setApplicationVersion(CAGEWRIGHT_VERSION);
   MainWindow window(std::move(plugin), graphics_of(arguments.graphics));
   window.set_dark(arguments.theme ? *arguments.theme == "dark" : QSettings().value("dark", true).toBool());
+  window.set_z_up(QSettings().value("z_up", false).toBool());
   application.on_failure([&window](const std::string& sentence) { window.say_failure(sentence); });
   window.restore_layout();
   window.show();

@@ -250,6 +250,8 @@ void MainWindow::set_dark(bool dark) {
   if (auto* action = findChild<QAction*>("dark")) action->setChecked(dark);
 }
 
+void MainWindow::set_z_up(bool z_up) { view_->run({{"command", "up"}, {"axis", z_up ? "z" : "y"}}); }
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!may_lose_changes()) return event->ignore();
   recorder_->stop();

@@ -46,6 +46,7 @@ class MainWindow : public QMainWindow {
   // Asks about unsaved changes, and whether an autosave is to be recovered.
   void open(const std::filesystem::path& path);
   void set_dark(bool dark);
+  void set_z_up(bool z_up);
   void restore_layout();  // size and panels of when the window was last closed; before it is shown
   // In the status line. A failure's sentence goes when the next thing succeeds, or after a while.
   void say_failure(const std::string& sentence);

@@ -194,6 +194,8 @@ void ViewWidget::run(const nlohmann::json& command) {
   } else if (name == "look") {
     camera_->look_along(axis_of(command.value("axis", "perspective")));
     frame_all();
+  } else if (name == "up") {
+    set_z_up(command.value("axis", "y") == "z");
   } else if (name == "projection") {
     camera_->set_orthographic(command.value("orthographic", false));
   } else if (name == "colours") {
@@ -224,6 +226,8 @@ void ViewWidget::run(const nlohmann::json& command) {
   render_soon();
   if (look_changed_) look_changed_();
 }
+
+Point3 ViewWidget::up() const { return scene_->options().z_up ? Point3{0, 0, 1} : Point3{0, 1, 0}; }
 
 bool ViewWidget::shows_speed() const { return speed_label_->isVisibleTo(this); }
 
@@ -273,6 +277,14 @@ void ViewWidget::set_dark(bool dark) {
   options.dark = dark;
   scene_->set_options(options);
   render_soon();
+}
+
+void ViewWidget::set_z_up(bool z_up) {
+  ViewOptions options = scene_->options();
+  options.z_up = z_up;
+  scene_->set_options(options);
+  camera_->set_up(up());
+  frame_all();
 }
 
 void ViewWidget::show_help(const QString& text) {

@@ -45,12 +45,13 @@ class ViewWidget : public QWidget {
   QString hint() const { return tool_->hint(); }
   void on_hint(std::function<void()> changed) { hint_changed_ = std::move(changed); }
   void on_look(std::function<void()> changed) { look_changed_ = std::move(changed); }  // by a command of run()
+  Point3 up() const;
   bool shows_speed() const;
   bool cancel_tool();  // false: there was nothing to give up
   // While the tool's button is held, the keys of these actions alone are heard: the drag is all that may change.
   void set_actions_in_drag(std::vector<const QAction*> actions) { actions_in_drag_ = std::move(actions); }
 
-  // The commands of ScriptRunner that are the view's: frame, look, projection, show, colours.
+  // The commands of ScriptRunner that are the view's: frame, look, up, projection, show, colours.
   void run(const nlohmann::json& command);
   void frame_all();
   void frame_model();  // the one that is being caged
@@ -84,6 +85,7 @@ class ViewWidget : public QWidget {
   void update(WorkspaceChange change);
   MousePoint mouse_point(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
   Doing begin_of(const QMouseEvent& event);
+  void set_z_up(bool z_up);
   void place_help();
   bool is_waiting_for_cage() const;
   void render_with_cage();

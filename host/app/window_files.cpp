@@ -195,7 +195,8 @@ void MainWindow::export_picture() {
   fs::path suggested = editor_->workspace().path();
   suggested.replace_extension(".png");
   const QString file = choose_name("Export a picture", suggested, "Pictures (*.png)");
-  if (!file.isEmpty() && wait_for_cage()) write({{"command", "picture"}, {"path", file.toStdString()}}, "Not exported");
+  if (!file.isEmpty() && wait_for_cage())
+    write({{"command", "picture"}, {"path", file.toStdString()}, {"up", view_->up()}}, "Not exported");
 }
 
 void MainWindow::export_turntable() {
@@ -220,7 +221,8 @@ void MainWindow::draw_turntable(const fs::path& folder, int frames) {
   });
   const std::string all = std::to_string(frames);
   try {
-    editor_->run_or_throw({{"command", "turntable"}, {"folder", folder.string()}, {"frames", frames}});
+    editor_->run_or_throw(
+        {{"command", "turntable"}, {"folder", folder.string()}, {"frames", frames}, {"up", view_->up()}});
   } catch (const Cancelled&) {
     say_done(cancelled_turntable_text(drawn, frames, folder.string()));
   } catch (const std::exception& error) {

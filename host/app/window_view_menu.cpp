@@ -54,6 +54,14 @@ void MainWindow::make_view_menu() {
         return json{{"command", "projection"}, {"orthographic", on}};
       },
       [this] { return view_->camera().is_orthographic(); });
+  add_mark(
+      menu, {"z_up", "&Z Up", "", "The model stands along z, not y: grid, camera and exported pictures", [] {}},
+      nullptr,
+      [](bool on) {
+        return json{{"command", "up"}, {"axis", on ? "z" : "y"}};
+      },
+      [this] { return view_->scene().options().z_up; });
+  connect(findChild<QAction*>("z_up"), &QAction::triggered, this, [](bool on) { QSettings().setValue("z_up", on); });
   menu.addSeparator();
   add_look_marks(menu);
   menu.addSeparator();

@@ -20,6 +20,11 @@ ScriptJson look(ScriptContext&, const ScriptArguments& arguments) {
   return {};
 }
 
+ScriptJson up(ScriptContext&, const ScriptArguments& arguments) {
+  arguments.choice("axis", {"y", "z"}, "");
+  return {};
+}
+
 ScriptJson projection(ScriptContext&, const ScriptArguments&) { return {}; }
 
 ScriptJson show(ScriptContext&, const ScriptArguments& arguments) {
@@ -48,6 +53,7 @@ std::vector<ScriptCommand> script_view_commands() {
        "Looks from the front, back, left, right, top or bottom, or as at first: perspective",
        look,
        true},
+      {"up", {{"axis", Kind::text, true}}, "Takes y (as at first) or z for up, of the grid and the camera", up, true},
       {"projection", {{"orthographic", Kind::boolean, true}}, "Orthographic, or else perspective", projection, true},
       {"show",
        {{"what", Kind::text, true}, {"on", Kind::boolean, true}},

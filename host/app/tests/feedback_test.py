@@ -461,6 +461,34 @@ class Menus(WindowTest):
         window.close(keep_home=True)
         self.assertIn('mirror_x', self.marks(self.open(home=home)))
 
+    def test_z_up_stands_models_on_end_that_lie_and_the_next_window_has_it(self):
+        window = self.open()
+        window.settle()
+
+        def lies_above(point):
+            foot, at = window.where(point=[0, 0, 0]), window.where(point=point)
+            return at['y'] < foot['y'] - 50 - 4 * abs(at['x'] - foot['x'])  # leans a little, in perspective
+
+        self.assertTrue(lies_above([0, 1, 0]))
+        self.assertFalse(lies_above([0, 0, 1]))
+        window.key('alt+v', 'z')
+        window.wait_until(lambda s: 'z_up' in s['marks'], 'it is marked')
+        self.assertTrue(lies_above([0, 0, 1]))
+        self.assertFalse(lies_above([0, 1, 0]))
+        x, y, width, height = window.view()
+        window.drag([(x + width // 2, y + height - 60), (x + width // 2 + 60, y + height - 60)], button=3)
+        self.assertTrue(lies_above([0, 0, 1]), 'tumbling keeps what is up')
+        window.shot('z_up')
+        home = window.home
+        window.close(keep_home=True)
+        window = self.open(home=home)
+        window.settle()
+        self.assertIn('z_up', self.marks(window))
+        self.assertTrue(lies_above([0, 0, 1]))
+        window.run('up', axis='y')
+        self.assertNotIn('z_up', self.marks(window))
+        self.assertTrue(lies_above([0, 1, 0]))
+
 
 if __name__ == '__main__':
     run_tests()

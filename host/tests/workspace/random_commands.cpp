@@ -39,8 +39,8 @@ const std::set<std::string>& RandomCommands::changing() {
 }
 
 const std::set<std::string>& RandomCommands::others() {
-  static const std::set<std::string> names = {"select_mesh", "copy_slides", "select", "solve",      "cancel", "wait",
-                                              "frame",       "look",        "show",   "projection", "colours"};
+  static const std::set<std::string> names = {"select_mesh", "copy_slides", "select", "solve", "cancel",     "wait",
+                                              "frame",       "look",        "up",     "show",  "projection", "colours"};
   return names;
 }
 
@@ -85,6 +85,7 @@ Json RandomCommands::next() {
                                                  "wait",
                                                  "frame",
                                                  "look",
+                                                 "up",
                                                  "show",
                                                  "projection",
                                                  "colours"};
@@ -114,6 +115,7 @@ Json RandomCommands::make(const std::string& chosen) {
   if (chosen == "select_mesh") return select_mesh();
   if (chosen == "frame") return {{"what", any<std::string>({"all", "model", "selection"})}};
   if (chosen == "look") return {{"axis", any<std::string>({"front", "top", "perspective"})}};
+  if (chosen == "up") return {{"axis", any<std::string>({"y", "z"})}};
   if (chosen == "show") return {{"what", any<std::string>({"cage", "slides"})}, {"on", one_in(2)}};
   if (chosen == "projection") return {{"orthographic", one_in(2)}};
   if (chosen == "colours") return {{"by", any<std::string>({"plain", "parts", "coverage"})}};

@@ -183,8 +183,9 @@ TEST_F(ScriptTest, WhatIsOfAViewIsCheckedAndHandedToIt) {
   ScriptRunner with_view(workspace_, [&](const Json& command) { seen.push_back(command); });
   for (const char* command :
        {R"({"command": "frame", "what": "all"})", R"({"command": "frame", "what": "model"})",
-        R"({"command": "look", "axis": "top"})", R"({"command": "projection", "orthographic": true})",
-        R"({"command": "show", "what": "grid", "on": false})", R"({"command": "colours", "by": "coverage"})"}) {
+        R"({"command": "look", "axis": "top"})", R"({"command": "up", "axis": "z"})",
+        R"({"command": "projection", "orthographic": true})", R"({"command": "show", "what": "grid", "on": false})",
+        R"({"command": "colours", "by": "coverage"})"}) {
     with_view.run(Json::parse(command));
     EXPECT_EQ(seen.back(), Json::parse(command));
     EXPECT_EQ(run(command), Json::object()) << "without a view it does nothing";

@@ -15,23 +15,31 @@ constexpr LineStyle kDarkAxes{{0.40, 0.40, 0.43}, 1.5}, kLightAxes{{0.52, 0.53, 
 }  // namespace
 
 GroundGrid::GroundGrid(vtkRenderer& renderer) : lines_(renderer, kDarkLines), axes_(renderer, kDarkAxes) {
-  fit({-1, 1, 0, 1, -1, 1});
+  fit({-1, 1, 0, 1, -1, 1}, 1);
 }
 
-void GroundGrid::fit(const std::array<double, 6>& bounds) {
+void GroundGrid::fit(const std::array<double, 6>& bounds, int up) {
   const double extent = std::max({bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]});
   if (!(extent > 0) || !std::isfinite(extent)) return;
   // 6 to 60 cells across the scene; the grid is some cells larger than the scene.
   const double cell = std::pow(10.0, std::floor(std::log10(extent / 6)));
   const auto index = [&](double coordinate) { return std::round(coordinate / cell); };
   const double across = std::ceil(0.75 * extent / cell) + 1;
-  const double x = index((bounds[0] + bounds[1]) / 2), z = index((bounds[4] + bounds[5]) / 2), y = bounds[2];
+  const std::size_t vertical = static_cast<std::size_t>(up), depth = 3 - vertical;
+  const auto middle = [&](std::size_t axis) { return index((bounds[2 * axis] + bounds[2 * axis + 1]) / 2); };
+  const double x = middle(0), z = middle(depth);
   const double x0 = (x - across) * cell, x1 = (x + across) * cell, z0 = (z - across) * cell, z1 = (z + across) * cell;
+  const auto point = [&](double along_x, double along_depth) {
+    Point at{along_x, 0, 0};
+    at[vertical] = bounds[2 * vertical];
+    at[depth] = along_depth;
+    return at;
+  };
   std::vector<std::vector<Point>> lines, axes;
   for (double i = -across; i <= across; ++i) {
-    const bool is_z_axis = x + i == 0, is_x_axis = z + i == 0;
-    (is_z_axis ? axes : lines).push_back({{(x + i) * cell, y, z0}, {(x + i) * cell, y, z1}});
-    (is_x_axis ? axes : lines).push_back({{x0, y, (z + i) * cell}, {x1, y, (z + i) * cell}});
+    const bool is_depth_axis = x + i == 0, is_x_axis = z + i == 0;
+    (is_depth_axis ? axes : lines).push_back({point((x + i) * cell, z0), point((x + i) * cell, z1)});
+    (is_x_axis ? axes : lines).push_back({point(x0, (z + i) * cell), point(x1, (z + i) * cell)});
   }
   lines_.set(std::move(lines), false);
   axes_.set(std::move(axes), false);

@@ -8,12 +8,13 @@
 
 namespace cagewright::host {
 
-// A square grid under what is shown: across y, cells of a power of ten of the scene's units.
+// A square grid under what is shown: across what is up, cells of a power of ten of the scene's units.
 class GroundGrid {
  public:
   explicit GroundGrid(vtkRenderer& renderer);
 
-  void fit(const std::array<double, 6>& bounds);  // {x0, x1, y0, y1, z0, z1}; at y0
+  // {x0, x1, y0, y1, z0, z1}; at their lower end along `up`, 1 (y) or 2 (z).
+  void fit(const std::array<double, 6>& bounds, int up);
   void set_look(bool visible, bool dark);
   void set_pixel_ratio(double ratio);
 

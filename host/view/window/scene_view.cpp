@@ -197,9 +197,12 @@ void SceneView::State::before_frame() {
 void SceneView::State::fit_grid() {
   Eigen::AlignedBox3d box;
   for (const MeshEntry& entry : meshes) box.extend(entry.bounds);
-  if (!box.isEmpty()) {
-    grid.fit({box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z()});
+  const int up = options.z_up ? 2 : 1;
+  if (box.isEmpty()) {
+    box = Eigen::AlignedBox3d(-Eigen::Vector3d::Ones(), Eigen::Vector3d::Ones());
+    box.min()[up] = 0;
   }
+  grid.fit({box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z()}, up);
 }
 
 SceneView::SceneView(vtkRenderer& renderer) : state_(std::make_unique<State>(renderer)) {}
@@ -288,9 +291,11 @@ void SceneView::show_open_edges(bool shown) {
 }
 
 void SceneView::set_options(const ViewOptions& options) {
+  const bool turns_grid = options.z_up != state_->options.z_up;
   state_->options = options;
   state_->apply_background();
   state_->apply_look();
+  if (turns_grid) state_->fit_grid();
 }
 
 const ViewOptions& SceneView::options() const { return state_->options; }

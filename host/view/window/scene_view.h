@@ -45,7 +45,8 @@ struct ViewOptions {
   bool model = true, other_meshes = true, slides = true, sections = true, cage = true, cage_faces = true, grid = true,
        wireframe = false;
   enum class Colours { plain, parts, coverage } colours = Colours::plain;
-  bool dark = true;  // background and grid
+  bool dark = true;   // background and grid
+  bool z_up = false;  // the grid lies across z, else across y
 };
 
 struct Ray {
