@@ -96,9 +96,7 @@ void MainWindow::make_status_line() {
   hint_->setObjectName("hint");
   statusBar()->setObjectName("status_bar");
   statusBar()->addWidget(hint_, 1);
-  connect(statusBar(), &QStatusBar::messageChanged, this, [this](const QString& message) {
-    if (message.isEmpty()) show_failure_colour(false);
-  });
+  connect(statusBar(), &QStatusBar::messageChanged, this, [this] { follow_status(); });
   stage_ = new QLabel(this);
   stage_->setObjectName("stage");
   progress_ = new QProgressBar(this);
@@ -198,17 +196,32 @@ void MainWindow::show_hint() {
   hint_->setText(step.isEmpty() ? view_->hint() : step);
 }
 
-void MainWindow::say(const std::string& sentence, int milliseconds, Said of) {
-  show_failure_colour(false);
-  statusBar()->showMessage(QString::fromStdString(without_echo(sentence)), milliseconds);
-  said_ = of;
+void MainWindow::say(const std::string& sentence, int milliseconds, Said of, bool is_wrong) {
+  said_ = {QString::fromStdString(without_echo(sentence)), QDeadlineTimer(milliseconds), of, is_wrong};
+  statusBar()->showMessage(said_.sentence, milliseconds);
+  follow_status();
 }
 
 // Nothing where something else was said since.
 void MainWindow::clear_said(Said of) {
-  if (said_ != of) return;
+  if (said_.of != of) return;
+  said_ = {};
   statusBar()->clearMessage();
-  said_ = Said::other;
+}
+
+// A tool tip takes what was said away; when it is gone, that is shown again for the rest of its time.
+void MainWindow::follow_status() {
+  const QString shown = statusBar()->currentMessage();
+  show_failure_colour(said_.is_wrong && shown == said_.sentence);
+  if (!shown.isEmpty() || said_.sentence.isEmpty()) return;
+  if (said_.until.remainingTime() < 50) {  // it was shown to its end
+    said_ = {};
+    return;
+  }
+  QTimer::singleShot(0, this, [this] {
+    if (!said_.sentence.isEmpty() && statusBar()->currentMessage().isEmpty())
+      statusBar()->showMessage(said_.sentence, std::max(1, static_cast<int>(said_.until.remainingTime())));
+  });
 }
 
 void MainWindow::say_failure(const std::string& sentence) { say_wrong(sentence, Said::failure); }
@@ -221,8 +234,7 @@ void MainWindow::say_refusal(const std::string& sentence) {
 }
 
 void MainWindow::say_wrong(const std::string& sentence, Said of) {
-  say(sentence, failure_ms, of);
-  show_failure_colour(true);
+  say(sentence, failure_ms, of, true);
   QApplication::beep();
 }
 
@@ -230,6 +242,7 @@ void MainWindow::show_failure_colour(bool is_failure) {
   QPalette palette;
   if (is_failure) palette.setColor(QPalette::WindowText, colour_of(Tone::bad, palette));
   statusBar()->setPalette(palette);
+  stage_->setPalette(is_failure ? QApplication::palette() : QPalette());  // which stands beside it
 }
 
 void MainWindow::say_done(const std::string& sentence) { say(sentence, done_ms, Said::other); }

@@ -2,6 +2,7 @@
 #ifndef CAGEWRIGHT_HOST_APP_MAIN_WINDOW_H
 #define CAGEWRIGHT_HOST_APP_MAIN_WINDOW_H
 
+#include <QDeadlineTimer>
 #include <QMainWindow>
 #include <QPointer>
 #include <QTimer>
@@ -114,9 +115,10 @@ class MainWindow : public QMainWindow {
     refusal,  // of what was typed: what is typed and taken
     slide,    // of one that was added: the next command
   };
-  void say(const std::string& sentence, int milliseconds, Said of);
+  void say(const std::string& sentence, int milliseconds, Said of, bool is_wrong = false);
   void say_wrong(const std::string& sentence, Said of);
   void clear_said(Said of);
+  void follow_status();                           // what the status line shows has changed
   void say_refusal(const std::string& sentence);  // empty: something that was typed was taken
   void show_title();
   void show_undo();
@@ -180,7 +182,12 @@ class MainWindow : public QMainWindow {
   PluginManager* plugins_ = nullptr;
   Autosave* autosave_ = nullptr;
   std::optional<std::filesystem::file_time_type> on_disk_;  // of the open scene's file, when it was read or written
-  Said said_ = Said::other;
+  struct {
+    QString sentence;  // empty: nothing, or its time is over
+    QDeadlineTimer until;
+    Said of = Said::other;
+    bool is_wrong = false;
+  } said_;
   QPointer<QMessageBox> not_opened_;  // says why a file could not be opened
   bool is_narrow_ = false;
   QByteArray wide_docks_;        // saveState() of when it was last wide

@@ -17,12 +17,24 @@ fs::path name_aside(const fs::path& scene, int number) {
   return scene.parent_path() / (scene.stem().string() + "_recovered_" + std::to_string(number) + ".glb");
 }
 
+// Where no file can have two names (FAT): the name is taken by an empty file, which nobody else has.
+int rename_over_own(const fs::path& from, const fs::path& to) {
+  const int file = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (file < 0) return errno;
+  ::close(file);
+  if (::rename(from.c_str(), to.c_str()) == 0) return 0;
+  const int error = errno;
+  ::unlink(to.c_str());
+  return error;
+}
+
 // Of a name that nothing has: else EEXIST. 0: it is done.
 int rename_to_free(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
   // NFS does not know that; a second name is not given twice either.
-  if (::link(from.c_str(), to.c_str()) != 0) return errno;
+  if (::link(from.c_str(), to.c_str()) != 0)
+    return errno == EPERM || errno == ENOTSUP || errno == EMLINK ? rename_over_own(from, to) : errno;
   if (::unlink(from.c_str()) == 0) return 0;
   const int error = errno;
   ::unlink(to.c_str());

@@ -49,6 +49,7 @@ bool SceneLock::is_doubtful() const {
 }
 
 bool SceneLock::take_by_force() {
+  if (!file_) return false;
   if (read_holder() == holder_) file_->removeStaleLockFile();
   take_again();
   return !is_elsewhere_;

@@ -62,15 +62,17 @@ void ViewSync::show_meshes() {
 void ViewSync::show_slides() {
   std::vector<ShownSlide> shown;
   std::set<std::string> said;
-  const std::vector<std::int64_t>& selection = workspace_.selection();
+  const auto is_selected_slide = [&](std::int64_t id) { return std::ranges::count(workspace_.selection(), id) > 0; };
   if (workspace_.has_scene())
     for (const SceneSlide* slide : workspace_.slides()) {
-      const bool is_selected = std::find(selection.begin(), selection.end(), slide->id) != selection.end();
+      const bool is_selected = is_selected_slide(slide->id);
       const Problem* found = find_problem(workspace_.cage(), slide->id);
       const std::string problem = found ? found->sentence : "";
       const PreviewSlide* preview = preview_of(workspace_, slide->id);
-      // A sentence about two slides stands beside the first of them.
-      const bool is_said = !problem.empty() && said.insert(problem).second;
+      // A sentence about two slides stands beside the first of them, of those that are selected.
+      const bool is_of_selected =
+          found && std::ranges::any_of(found->slides, [&](std::int64_t id) { return is_selected_slide(id); });
+      const bool is_said = !problem.empty() && (is_selected || !is_of_selected) && said.insert(problem).second;
       const std::string label = is_said ? problem : is_selected ? slide->name : "";
       shown.push_back({slide->id, label, preview ? preview->ellipse : slide->ellipse, is_selected, preview != nullptr,
                        !problem.empty()});

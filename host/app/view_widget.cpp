@@ -328,15 +328,17 @@ ViewWidget::Doing ViewWidget::begin_of(const QMouseEvent& event) {
   }
 }
 
-// A key that is accepted here is no shortcut: it comes as a key of the view, which has none.
+// A key that is accepted here is no shortcut, not even of an action that is disabled: it comes as a key of the view.
 bool ViewWidget::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && (doing_ == Doing::tool || doing_ == Doing::given_up)) {
-    const auto* key = static_cast<const QKeyEvent*>(event);
-    const QKeySequence keys(static_cast<int>(key->modifiers()) | key->key());
-    if (std::ranges::none_of(actions_in_drag_, [&](const QAction* it) { return it->shortcuts().contains(keys); }))
-      event->accept();
-  }
-  return QWidget::event(event);
+  const bool is_held = doing_ == Doing::tool || doing_ == Doing::given_up;
+  if (!is_held || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
+    return QWidget::event(event);
+  event->accept();
+  const auto* key = static_cast<const QKeyEvent*>(event);
+  const QKeySequence keys(static_cast<int>(key->modifiers()) | key->key());
+  const auto has_keys = [&](const QAction* action) { return action->shortcuts().contains(keys); };
+  if (event->type() == QEvent::KeyPress && std::ranges::any_of(cancels_drag_, has_keys)) cancel_tool();
+  return true;
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {

@@ -48,8 +48,9 @@ class ViewWidget : public QWidget {
   Point3 up() const;
   bool shows_speed() const;
   bool cancel_tool();  // false: there was nothing to give up
-  // While the tool's button is held, the keys of these actions alone are heard: the drag is all that may change.
-  void set_actions_in_drag(std::vector<const QAction*> actions) { actions_in_drag_ = std::move(actions); }
+  // While the tool's button is held, the keys of these actions give the drag up, and no other key is heard: the drag is
+  // all that may change.
+  void cancel_drag_by(std::vector<const QAction*> actions) { cancels_drag_ = std::move(actions); }
 
   // The commands of ScriptRunner that are the view's: frame, look, up, projection, show, colours.
   void run(const nlohmann::json& command);
@@ -106,7 +107,7 @@ class ViewWidget : public QWidget {
   Tool* tool_ = nullptr;
   SlideHandles::Mode handle_mode_ = SlideHandles::Mode::none;
   Doing doing_ = Doing::nothing;
-  std::vector<const QAction*> actions_in_drag_;
+  std::vector<const QAction*> cancels_drag_;
   QPointF last_;
   bool render_is_due_ = false;
   QTimer late_frame_, speed_timer_;

@@ -72,6 +72,9 @@ void MainWindow::make_docks() {
 void MainWindow::show_parameter_of(const std::string& sentence) {
   QWidget* field = parameters_->field_named_in(sentence);
   if (!field) return;
+  auto* dock = findChild<QDockWidget*>("attributes_dock");
+  dock->show();
+  is_narrow_ ? show_tab(dock) : dock->raise();
   auto* area = static_cast<QScrollArea*>(tabs_->widget(1));
   tabs_->setCurrentWidget(area);
   field->setFocus(Qt::OtherFocusReason);

@@ -212,7 +212,7 @@ void MainWindow::make_cage_menu() {
                  editor_->run({{"command", "cancel"}});
              }});
   for_scene_.push_back(cancel);
-  view_->set_actions_in_drag({undo_, cancel});
+  view_->cancel_drag_by({undo_, cancel});
   menu.addSeparator();
   for_scene_.push_back(add(menu, {"validate", "&Validate with Ceres ...", "",
                                   "An independent optimiser checks the "

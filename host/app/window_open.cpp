@@ -29,6 +29,7 @@ std::chrono::seconds age_of(const fs::path& file) {
 QString written_since_text(const fs::path& left, const fs::path& scene) {
   std::error_code error;
   const auto left_at = fs::last_write_time(left, error);
+  if (error) return {};
   const auto scene_at = fs::last_write_time(scene, error);
   if (error || scene_at <= left_at) return {};
   return QString(" %1 itself was written since, %2: to save what was recovered replaces that.")
@@ -67,7 +68,7 @@ void MainWindow::open(const fs::path& path) {
                                 : editor_->run({{"command", "open"}, {"path", scene.string()}});
   if (!is_open) {
     autosave_->give_up_claim();
-    return show_not_opened(statusBar()->currentMessage());
+    return show_not_opened(said_.sentence);
   }
   remember(scene);
   if (recovers) autosave_->keep_recovered();
@@ -81,18 +82,21 @@ void MainWindow::open(const fs::path& path) {
   if (!notes.empty()) say_warning(notes);
 }
 
-// The other machine's lock is removed last: until everything is answered, all stays as it was.
+// The other machine's lock is removed last: until everything is answered, all stays as it was. A command may open a
+// scene while something is asked: then that stays.
 std::optional<MainWindow::Left> MainWindow::ask_before_opening(const fs::path& opened, const fs::path& scene) {
   QString before;
+  const fs::path claimed = autosave_->claimed_lock().scene();  // none where it is open already
+  const auto is_claimed = [&] { return autosave_->claimed_lock().scene() == claimed; };
   for (;;) {
     const bool is_doubtful = autosave_->is_claim_doubtful();
     const std::string holder = is_doubtful ? autosave_->claimed_lock().holder() : "";
     const std::optional<bool> removes_lock = is_doubtful ? ask_to_remove_lock(before) : false;
-    if (!removes_lock) return {};
+    if (!removes_lock || !is_claimed()) return {};
     Left left{autosave_->left_of_claimed(*removes_lock)};
     if (left.file) {
       const std::optional<bool> recovers = ask_to_recover(*left.file, opened, scene);
-      if (!recovers) return {};
+      if (!recovers || !is_claimed()) return {};
       left.recovers = *recovers;
     }
     if (!*removes_lock || autosave_->claim_by_force()) return left;

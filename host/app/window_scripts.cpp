@@ -23,7 +23,7 @@ std::string path_name(const QString& file) { return std::filesystem::path(file.t
 
 void MainWindow::record_script() {
   if (recorder_->is_recording()) return record({});
-  record(QFileDialog::getSaveFileName(this, "Record a script", "", "Scripts (*.jsonl);;All files (*)").toStdString());
+  record(choose_name("Record a script", "", "Scripts (*.jsonl);;All files (*)").toStdString());
 }
 
 void MainWindow::record(const std::filesystem::path& path) {

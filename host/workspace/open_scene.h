@@ -19,8 +19,9 @@ namespace cagewright::host {
 struct NodeCage {
   CageState shown;
   CageState whole;  // the last that was not for editing; where it failed, with the good one before it
-  // The last good one that was made for editing since the cage of `whole` was: nearer to the slides as they are now.
-  std::optional<CageState> edited;
+  // The last good one of a drag that goes on or has just ended; and of the drag whose slides `whole` failed on: nearer
+  // to them as they are now than the cage of `whole`.
+  std::optional<CageState> dragged, edited;
   bool is_solved = false;      // `whole` has a cage that was made here, not read
   std::uint64_t content = 1;   // counts changes of the slides and parameters
   std::uint64_t answered = 0;  // the content that `whole` is about, failed or not

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cctype>
-#include <regex>
 #include <utility>
 
 namespace cagewright::host {
@@ -47,9 +46,12 @@ std::string SlideNames::like(const std::string& wanted) {
 
 // A copy's copy is another copy of the same: "copy copy" would go on growing.
 std::string SlideNames::copy_of(const std::string& name) {
-  static const std::regex copied("^(.+) copy( [0-9]+)?$");
-  std::smatch parts;
-  return like((std::regex_match(name, parts, copied) ? parts[1].str() : name) + " copy");
+  static const std::string copy = " copy";
+  const std::size_t last = name.find_last_not_of("0123456789");
+  const bool is_numbered = last != std::string::npos && last + 1 < name.size() && name[last] == ' ';
+  const std::string named = is_numbered ? name.substr(0, last) : name;
+  const bool is_copy = named.size() > copy.size() && named.ends_with(copy);
+  return like(is_copy ? named : name + copy);
 }
 
 std::string SlideNames::mirror_of(const std::string& name) {

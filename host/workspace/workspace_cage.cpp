@@ -96,11 +96,13 @@ void Workspace::State::take(SolveResult result) {
     last.failed = true;
     last.is_of_now = false;
     last.asked = result.state.asked;
+    if (!is_editing && node.dragged) node.edited = std::exchange(node.dragged, std::nullopt);
   } else {
     last = std::move(result.state);
     last.is_of_now = is_latest && content == node.content;
     node.is_solved = node.is_solved || !is_editing;
-    node.edited = is_editing ? std::optional(last) : std::nullopt;
+    if (!is_editing) node.edited.reset();
+    node.dragged = is_editing ? std::optional(last) : std::nullopt;
   }
   if (!is_editing) {
     node.answered = content;
@@ -180,6 +182,7 @@ void Workspace::set_preview(std::vector<PreviewSlide> preview) {
 void Workspace::clear_preview() {
   if (!state_->scene || state_->scene->preview.empty()) return;
   state_->scene->preview.clear();
+  if (state_->scene->mesh_node >= 0) state_->scene->cage(state_->scene->mesh_node).dragged.reset();  // it was given up
   state_->follow();
   state_->tell(WorkspaceChange::slides);
 }

@@ -79,6 +79,30 @@ class Telling(WindowTest):
         window.wait_until(lambda s: s['status'] == 'Copied 17 slides', 'it says so')
         self.assertEqual(window.shot().count(rectangle(window.where(widget='status_bar')), is_pale_red), 0)
 
+    def test_a_tool_tip_over_a_failure_is_no_failure_and_the_failure_is_there_again_afterwards(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=[])
+        window.key('Delete')
+        failure = window.wait_until(lambda s: s['status'].startswith('Select a slide first'), 'it is said')['status']
+        bar = window.where(widget='status_bar')
+        inside = (bar['x'] + 4, bar['y'] + 2, 500, bar['height'] - 4)
+
+        def reddish(r, g, b):
+            return r > 150 and g < 0.75 * r and b < 0.75 * r
+
+        self.assertGreater(window.shot('failure').count(inside, reddish), 50)
+        at = window.where(widget='Frame All')
+        window.move(at['x'] + 10, at['y'] + 10)
+        window.wait_until(lambda s: s['status'] not in ('', failure), 'a tip')
+        self.assertEqual(window.shot('tip_over_failure').count(inside, reddish), 0)
+        x, y, width, height = window.view()
+        window.move(x + width // 2, y + height // 2)
+        window.wait_until(lambda s: s['status'] == failure, 'the failure again')
+        window.wait_until(lambda s: window.shot('failure_again').count(inside, reddish) > 50, 'in its colour', 10)
+        window.key('ctrl+a')
+        window.wait_until(lambda s: s['status'] == '', 'it goes when something succeeds')
+
     def test_a_save_is_told(self):
         shutil.copy(path('biped.glb'), path('told.glb'))
         window = self.open('told.glb')
@@ -460,34 +484,6 @@ class Menus(WindowTest):
         home = window.home
         window.close(keep_home=True)
         self.assertIn('mirror_x', self.marks(self.open(home=home)))
-
-    def test_z_up_stands_models_on_end_that_lie_and_the_next_window_has_it(self):
-        window = self.open()
-        window.settle()
-
-        def lies_above(point):
-            foot, at = window.where(point=[0, 0, 0]), window.where(point=point)
-            return at['y'] < foot['y'] - 50 - 4 * abs(at['x'] - foot['x'])  # leans a little, in perspective
-
-        self.assertTrue(lies_above([0, 1, 0]))
-        self.assertFalse(lies_above([0, 0, 1]))
-        window.key('alt+v', 'z')
-        window.wait_until(lambda s: 'z_up' in s['marks'], 'it is marked')
-        self.assertTrue(lies_above([0, 0, 1]))
-        self.assertFalse(lies_above([0, 1, 0]))
-        x, y, width, height = window.view()
-        window.drag([(x + width // 2, y + height - 60), (x + width // 2 + 60, y + height - 60)], button=3)
-        self.assertTrue(lies_above([0, 0, 1]), 'tumbling keeps what is up')
-        window.shot('z_up')
-        home = window.home
-        window.close(keep_home=True)
-        window = self.open(home=home)
-        window.settle()
-        self.assertIn('z_up', self.marks(window))
-        self.assertTrue(lies_above([0, 0, 1]))
-        window.run('up', axis='y')
-        self.assertNotIn('z_up', self.marks(window))
-        self.assertTrue(lies_above([0, 1, 0]))
 
 
 if __name__ == '__main__':

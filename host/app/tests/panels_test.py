@@ -238,6 +238,38 @@ class Sizes(WindowTest):
         window.key('alt+v', 'n', *['Down'] * self.panels.index(name), 'Return')
         time.sleep(0.5)  # it moves into its place
 
+    def test_the_field_that_advice_names_is_shown_also_in_a_panel_that_was_hidden_or_behind_others(self):
+        window = self.open('biped.off')
+        window.settle()
+        window.run('add_slide', name='shin', point=[0.138, 0.3, 0.05])
+        state = window.settle()
+        at = next(i for i, problem in enumerate(state['problems']) if 'enclose.in_plane' in problem['sentence'])
+
+        def shows_the_field():
+            window.focus('main_window')
+            row = window.where(widget='problems')['rows'][at]
+            window.click(row['x'], row['y'])
+            window.wait_until(lambda s: s['focus'] == 'enclose.in_plane', 'the field can be typed into')
+            time.sleep(0.3)
+            field, dock = (window.where(widget=name) for name in ('enclose.in_plane', 'tabs'))
+            self.assertGreaterEqual(field['y'], dock['y'])
+            self.assertLessEqual(field['y'] + field['height'], dock['y'] + dock['height'])
+            self.assertGreaterEqual(field['x'], 0)
+
+        self.toggle(window, 'tabs')
+        self.assertEqual(self.shown(window), ['outliner', 'problems', 'report'])
+        shows_the_field()
+        window.shot('field_of_hidden_panel')
+        window.resize(700, 500)
+        for y in range(70, 450, 15):
+            window.click(8, y)
+            time.sleep(0.1)
+            if self.seen(window) == ['problems']:
+                break
+        shows_the_field()
+        self.assertEqual(self.seen(window), ['tabs'])
+        window.shot('field_in_small_window')
+
     def heights(self, window):
         at = {name: window.ask(command='where', widget=name + '_dock')
               for name in ('outliner', 'problems', 'attributes', 'report')}

@@ -321,6 +321,18 @@ class Locks(QuestionTest):
         self.assertIn('brow', self.slides(window))
         self.assertNotIn('another window', window.state()['title'])
 
+    def test_a_scene_that_a_command_opens_while_it_is_asked_stays_and_the_lock_too(self):
+        self.lock()
+        theirs = self.read_lock()
+        window = self.open('left.glb')
+        self.question(window, 'Open elsewhere', None)
+        window.run('open', path=path('biped.off'))
+        window.click_widget('Remove Lock and Open')
+        time.sleep(0.5)
+        state = window.settle()
+        self.assertIn('biped', state['title'])
+        self.assertEqual(self.read_lock(), theirs)
+
     def test_a_lock_that_cannot_be_removed_is_asked_about_again(self):
         folder = self.folder_of_its_own()
         self.lock()

@@ -39,6 +39,34 @@ class Looking(WindowTest):
         self.assertGreater(shots[0].count(view, is_red), 100)
         self.assertLess(shots[0].differs(shots[1], view), 0.02 * view[2] * view[3])
 
+    def test_z_up_stands_models_on_end_that_lie_and_the_next_window_has_it(self):
+        window = self.open()
+        window.settle()
+
+        def lies_above(point):
+            foot, at = window.where(point=[0, 0, 0]), window.where(point=point)
+            return at['y'] < foot['y'] - 50 - 4 * abs(at['x'] - foot['x'])  # leans a little, in perspective
+
+        self.assertTrue(lies_above([0, 1, 0]))
+        self.assertFalse(lies_above([0, 0, 1]))
+        window.key('alt+v', 'z')
+        window.wait_until(lambda s: 'z_up' in s['marks'], 'it is marked')
+        self.assertTrue(lies_above([0, 0, 1]))
+        self.assertFalse(lies_above([0, 1, 0]))
+        x, y, width, height = window.view()
+        window.drag([(x + width // 2, y + height - 60), (x + width // 2 + 60, y + height - 60)], button=3)
+        self.assertTrue(lies_above([0, 0, 1]), 'tumbling keeps what is up')
+        window.shot('z_up')
+        home = window.home
+        window.close(keep_home=True)
+        window = self.open(home=home)
+        window.settle()
+        self.assertIn('z_up', window.state()['marks'])
+        self.assertTrue(lies_above([0, 0, 1]))
+        window.run('up', axis='y')
+        self.assertNotIn('z_up', window.state()['marks'])
+        self.assertTrue(lies_above([0, 1, 0]))
+
     def test_a_window_drawn_by_either_follows_its_size_and_the_mouse(self):
         for graphics in ('card', 'processor'):
             with self.subTest(graphics):
@@ -281,7 +309,7 @@ class Editing(WindowTest):
         there = (at['x'] + 25, at['y'] + 18)
         window.drag([(at['x'], at['y']), there], pause=0.03, release=False)
         window.wait_until(lambda s: s['cage']['is_of_editing'], 'the cage follows')
-        window.key('Delete', 'ctrl+shift+z', 'ctrl+d', 'm', 'ctrl+a', 'd')
+        window.key('Delete', 'ctrl+shift+z', 'ctrl+d', 'm', 'ctrl+a', 'd', 'Tab', 'Delete', 'shift+Tab', 'ctrl+d')
         state = window.state()
         self.assertEqual((state['slides'], state['undo'], state['selection'], state['cage']['is_of_editing']),
                          (before['slides'], before['undo'], ['left_knee'], True))
@@ -294,6 +322,29 @@ class Editing(WindowTest):
         window.key('ctrl+z')
         window.wait_until(lambda s: len(s['slides']) == len(before['slides']) + 1, 'the step before is taken back')
 
+    def test_undo_takes_back_the_first_drag_and_the_first_stroke_of_a_scene(self):
+        window = self.open()
+        before = window.settle()
+        self.assertEqual(before['undo'], '')
+        window.key('d')
+        window.drag(list(self.leg(window)[:2]), pause=0.03, release=False)
+        window.key('ctrl+z')
+        window.release()
+        state = window.settle()
+        self.assertEqual((len(state['slides']), state['undo']), (len(before['slides']), ''))
+        window.key('q')
+        self.select(window, 'left_knee')
+        window.key('w')
+        time.sleep(0.3)
+        at = window.where(handle=2)
+        window.drag([(at['x'], at['y']), (at['x'] + 25, at['y'] + 18)], pause=0.03, release=False)
+        window.wait_until(lambda s: s['cage']['is_of_editing'], 'the cage follows')
+        window.key('z')
+        window.wait_until(lambda s: not s['cage']['is_of_editing'], 'the drag is given up')
+        window.release()
+        state = window.settle()
+        self.assertEqual((state['slides'], state['undo']), (before['slides'], ''))
+
     def test_undo_takes_back_a_stroke_that_is_being_drawn_and_nothing_before_it(self):
         window = self.open()
         before = window.settle()
@@ -301,7 +352,9 @@ class Editing(WindowTest):
         window.settle()
         window.key('d')
         window.drag(list(self.leg(window)[:2]), pause=0.03, release=False)
-        window.key('Delete', 'z')
+        window.key('Delete')
+        self.assertEqual(window.state()['status'], '', 'a key that is not heard has no answer')
+        window.key('z')
         window.release()
         state = window.settle()
         self.assertEqual(len(state['slides']), len(before['slides']) - 1)

@@ -274,6 +274,21 @@ TEST_F(WorkspaceSlidesTest, ACopysCopyIsAnotherCopyOfTheSame) {
   EXPECT_EQ(names().back(), "copy copy");
 }
 
+TEST_F(WorkspaceSlidesTest, CopiesOfALongNameAndOfOnesThatEndInNumbers) {
+  open_with_slides({-0.5});
+  for (const auto& [name, copy] :
+       {std::pair<std::string, std::string>(std::string(1000000, 'a'), std::string(1000000, 'a') + " copy"),
+        {"rib 7", "rib 7 copy"},
+        {"7", "7 copy"},
+        {"rib copy7", "rib copy7 copy"},
+        {" copy", " copy copy"}}) {
+    workspace_.rename_slide(workspace_.slides().front()->id, name);
+    workspace_.duplicate_slides({workspace_.slides().front()->id});
+    EXPECT_TRUE(names().back() == copy) << copy.substr(0, 20);
+    workspace_.undo();
+  }
+}
+
 TEST_F(WorkspaceSlidesTest, WhatCannotBeDoneIsSaidInASentenceAndChangesNothing) {
   EXPECT_TRUE(holds(sentence_of<CommandError>([&] { workspace_.add_slide(across("a", 0)); }), "no scene is open"));
   EXPECT_TRUE(holds(sentence_of<CommandError>([&] { workspace_.undo(); }), "no scene is open"));

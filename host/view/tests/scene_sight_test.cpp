@@ -84,8 +84,8 @@ TEST_F(SceneSight, TheEdgesWhereTheModelIsOpenAreDrawnUntilItIsAnother) {
 }
 
 TEST(OpenEdges, AreThoseOfOneTriangleWhereverVerticesAreDoubled) {
-  EXPECT_TRUE(open_edges(*sphere_mesh(8)).empty());
-  EXPECT_EQ(open_edges(*open_sphere(8)).size(), 16U);
+  EXPECT_TRUE(open_edges(*sphere_mesh(8), 1000).empty());
+  EXPECT_EQ(open_edges(*open_sphere(8), 1000).size(), 16U);
   TriangleMesh soup;
   const TriangleMesh whole = *sphere_mesh(8);
   for (const std::uint32_t vertex : whole.triangles) {
@@ -93,7 +93,29 @@ TEST(OpenEdges, AreThoseOfOneTriangleWhereverVerticesAreDoubled) {
     soup.points.insert(soup.points.end(),
                        {whole.points[3 * vertex], whole.points[3 * vertex + 1], whole.points[3 * vertex + 2]});
   }
-  EXPECT_TRUE(open_edges(soup).empty());
+  EXPECT_TRUE(open_edges(soup, 1000).empty());
+}
+
+TEST(OpenEdges, AreNotHiddenByATriangleThatHasCollapsedAndNoMoreThanAskedFor) {
+  TriangleMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  mesh.triangles = {0, 1, 2, 0, 1, 1};
+  EXPECT_EQ(open_edges(mesh, 1000).size(), 3U);
+  EXPECT_EQ(open_edges(mesh, 2).size(), 2U);
+}
+
+TEST_F(SceneSight, AModelThatIsHiddenHidesNoPlaceAndShowsNoOpenEdges) {
+  view->set_meshes({shown(open_sphere(24))});
+  camera->look_along(CameraControl::Axis::top);
+  frame_all();
+  view->show_open_edges(true);
+  ASSERT_GT(draw().count(is_orange), 50);
+  ASSERT_TRUE(view->direction_to_see({0, -1, 0}).has_value());
+  ViewOptions options = view->options();
+  options.model = false;
+  view->set_options(options);
+  EXPECT_EQ(draw().count(is_orange), 0);
+  EXPECT_FALSE(view->direction_to_see({0, -1, 0}).has_value());
 }
 
 }  // namespace

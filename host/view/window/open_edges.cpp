@@ -30,21 +30,22 @@ std::vector<std::uint32_t> merged_vertices(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<std::vector<Point>> open_edges(const TriangleMesh& mesh) {
+std::vector<std::vector<Point>> open_edges(const TriangleMesh& mesh, std::size_t most) {
   const std::vector<std::uint32_t> merged = merged_vertices(mesh);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   edges.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges.push_back(std::minmax({merged[mesh.triangles[i + k]], merged[mesh.triangles[i + (k + 1) % 3]]}));
-    }
+    const std::array<std::uint32_t, 3> corners = {merged[mesh.triangles[i]], merged[mesh.triangles[i + 1]],
+                                                  merged[mesh.triangles[i + 2]]};
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::minmax({corners[k], corners[(k + 1) % 3]}));
   }
   std::ranges::sort(edges);
   std::vector<std::vector<Point>> open;
-  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+  for (std::size_t i = 0, next = 0; i < edges.size() && open.size() < most; i = next) {
     while (next < edges.size() && edges[next] == edges[i]) ++next;
     const auto [a, b] = edges[i];
-    if (next == i + 1 && a != b) open.push_back({point_of(mesh, a), point_of(mesh, b)});
+    if (next == i + 1) open.push_back({point_of(mesh, a), point_of(mesh, b)});
   }
   return open;
 }

@@ -60,7 +60,7 @@ std::vector<Vector3d> directions_all_round() {
 
 std::optional<Point3> SceneView::direction_to_see(const Point3& place) const {
   const MeshEntry* active = state_->active();
-  if (active == nullptr || active->is_flat || active->bounds.isEmpty()) return std::nullopt;
+  if (active == nullptr || active->is_flat || active->bounds.isEmpty() || !state_->options.model) return std::nullopt;
   const Projection now(state_->renderer);
   const Vector3d at = transformed(active->to_scene, to_vector(place));
   const Vector3d toward_viewer = now.is_orthographic ? Vector3d(-now.forward) : Vector3d((now.eye - at).normalized());

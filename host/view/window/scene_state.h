@@ -78,6 +78,7 @@ struct SceneView::State {
   PlaceMark place_mark;
   LineActor stroke, open_edges;
   std::shared_ptr<const TriangleMesh> mesh_of_open_edges;  // null: they are not known
+  bool shows_open_edges = false;
   vtkNew<vtkLight> light;
   vtkNew<vtkRenderStepsPass> pass;
   vtkNew<StillLayer> still_layer;

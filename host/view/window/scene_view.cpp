@@ -24,7 +24,8 @@ constexpr LineStyle kStroke{colours::stroke, 3, 1, 1};
 
 constexpr LineStyle kOpenEdges{colours::failed_slide, 3, 1, 0.35};
 
-constexpr std::size_t kMostMarks = 5000;  // of vertices outside; so many are seen by their colour
+constexpr std::size_t kMostOpenEdges = 20000;  // more would take long to draw
+constexpr std::size_t kMostMarks = 5000;       // of vertices outside; so many are seen by their colour
 
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh, const Eigen::Matrix4d& to_scene) {
   Eigen::AlignedBox3d box;
@@ -176,6 +177,7 @@ void SceneView::State::apply_look() {
     parts->set_wireframe(options.wireframe);
   }
   outside_marks.set_visible(options.model && shows_coverage);
+  open_edges.set_visible(options.model && shows_open_edges);
   cage_actors.set_options(options);
   slide_actors.set_visible(options.slides);
   slide_labels.set_visible(options.slides);
@@ -240,6 +242,8 @@ void SceneView::set_meshes(std::vector<ShownMesh> meshes) {
   if (now == nullptr || now->shown.mesh != active_before) {
     set_parts({}, {});
     set_outside({});
+    state_->mesh_of_open_edges.reset();
+    state_->open_edges.set({}, false);
     show_open_edges(false);
   }
   state_->apply_transform();
@@ -285,9 +289,10 @@ void SceneView::show_open_edges(bool shown) {
   const MeshEntry* active = state_->active();
   if (shown && active != nullptr && state_->mesh_of_open_edges != active->shown.mesh) {
     state_->mesh_of_open_edges = active->shown.mesh;
-    state_->open_edges.set(open_edges(*active->shown.mesh), false);
+    state_->open_edges.set(open_edges(*active->shown.mesh, kMostOpenEdges), false);
   }
-  state_->open_edges.set_visible(shown && active != nullptr);
+  state_->shows_open_edges = shown && active != nullptr;
+  state_->apply_look();
 }
 
 void SceneView::set_options(const ViewOptions& options) {
