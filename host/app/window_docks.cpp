@@ -77,7 +77,7 @@ void MainWindow::show_parameter_of(const std::string& sentence) {
   is_narrow_ ? show_tab(dock) : dock->raise();
   auto* area = static_cast<QScrollArea*>(tabs_->widget(1));
   tabs_->setCurrentWidget(area);
-  field->setFocus(Qt::OtherFocusReason);
+  field->setFocus(Qt::TabFocusReason);  // with the frame that shows where it is
   // Its place is known once the tab is laid out.
   QTimer::singleShot(0, field, [area, field] { area->ensureWidgetVisible(field); });
 }
