@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -25,6 +26,21 @@ QString capitalised(const std::string& word) {
   if (!name.isEmpty()) name[0] = name[0].toUpper();
   return name;
 }
+
+// The style frames the text of the box that has the keys, and these have none.
+class CheckField : public QCheckBox {
+ public:
+  using QCheckBox::QCheckBox;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QCheckBox::paintEvent(event);
+    if (!hasFocus()) return;
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::Link));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+};
 
 }  // namespace
 
@@ -89,7 +105,7 @@ void ParameterPanel::add(const Parameter& parameter, QFormLayout& form) {
 QWidget* ParameterPanel::make_field(const Parameter& parameter) {
   const std::string id = parameter.id;
   if (parameter.type == CGW_PARAM_BOOLEAN) {
-    auto* box = new QCheckBox(fields_);
+    auto* box = new CheckField(fields_);
     connect(box, &QCheckBox::clicked, this, [this, id](bool on) { set(id, on); });
     show_[id] = [box](double value) { box->setChecked(value != 0); };
     return box;

@@ -255,6 +255,9 @@ class Sizes(WindowTest):
             self.assertGreaterEqual(field['y'], dock['y'])
             self.assertLessEqual(field['y'] + field['height'], dock['y'] + dock['height'])
             self.assertGreaterEqual(field['x'], 0)
+            frame = window.shot('framed_field').count(
+                (field['x'], field['y'], field['width'], 1), lambda r, g, b: b > 200 and r < 150)
+            self.assertGreater(frame, field['width'] * 0.9, 'where the keys go is seen')
 
         self.toggle(window, 'tabs')
         self.assertEqual(self.shown(window), ['outliner', 'problems', 'report'])
