@@ -33,14 +33,34 @@ std::string length_text(const json& stroke, const SceneSlide& slide) {
   return slide.name + " is " + text + " times as long as the stroke" + again;
 }
 
+// What of the cage one would not expect in a file: empty where it is certified, and of the slides as they are.
+std::string doubt_text(const Workspace& workspace) {
+  const CageState& cage = workspace.cage();
+  if (cage.cage.triangles.empty()) return {};
+  if (cage.failed) {
+    const std::size_t slides = cage.section_slides.size();
+    return "the last good cage, of " + std::to_string(slides) + (slides == 1 ? " slide" : " slides") +
+           ": the slides as they are now give none";
+  }
+  if (cage.certificate && !cage.certificate->encloses) return "a cage that is not certified";
+  return {};
+}
+
 }  // namespace
 
 std::string done_text(const json& command, const json& said, const Workspace& workspace) {
   const std::string name = command.value("command", "");
   const auto file = [&] { return std::filesystem::path(command.value("path", "")).filename().string(); };
-  if (name == "save") return "Saved " + workspace.path().filename().string();
+  const auto with_doubt = [&](const std::string& done) {
+    const std::string doubt = doubt_text(workspace);
+    return doubt.empty() ? done : done + " with " + doubt;
+  };
+  if (name == "save") return with_doubt("Saved " + workspace.path().filename().string());
   if (name == "save_copy") return "Saved a copy as " + file();
-  if (name == "export_cage") return "Exported the cage to " + file();
+  if (name == "export_cage") {
+    const std::string doubt = doubt_text(workspace);
+    return doubt.empty() ? "Exported the cage to " + file() : "Exported to " + file() + ": " + doubt;
+  }
   if (name == "picture") return "Exported a picture to " + file();
   if (name == "turntable") return "Exported the frames of a turn to " + command.value("folder", "");
   const bool is_across = command.contains("line_of_sight") && command.value("complete", true);

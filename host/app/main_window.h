@@ -91,6 +91,7 @@ class MainWindow : public QMainWindow {
   // Panels and tool bar, by their object names.
   QStringList shown_panels() const;
   void show_panels(const QStringList& shown);
+  void reset_panels();
   void save_layout() const;
   void show_parameter_of(const std::string& sentence);
   void share_heights();  // of the panels above one another
@@ -190,6 +191,7 @@ class MainWindow : public QMainWindow {
   } said_;
   QPointer<QMessageBox> not_opened_;  // says why a file could not be opened
   bool is_narrow_ = false;
+  QByteArray first_docks_;       // saveState() of a wide window, as it is made
   QByteArray wide_docks_;        // saveState() of when it was last wide
   bool was_never_wide_ = false;  // and nobody has made the panels as high as they are there
   QLabel *hint_ = nullptr, *stage_ = nullptr;

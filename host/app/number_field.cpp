@@ -19,7 +19,8 @@ constexpr char widest[] = "-8e-888";
 
 }  // namespace
 
-NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
+NumberField::NumberField(QWidget* parent) : FieldEdit(parent) {
+  on_give_up([this] { set_value(value_); });
   setAlignment(Qt::AlignRight);
   setMinimumWidth(fontMetrics().horizontalAdvance(widest) + 4 * text_margin);
   connect(this, &QLineEdit::editingFinished, this, [this] { finish(); });
@@ -64,25 +65,13 @@ void NumberField::show(double value) {
   if (!is_shown && !(isModified() && hasFocus())) set_value(value);
 }
 
-// Escape is the field's while it has the keys; undo is the window's where nothing was typed.
 bool NumberField::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip && !text().isEmpty()) {
     const QString value = QLocale::c().toString(value_, 'g', QLocale::FloatingPointShortest);
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), toolTip() + "\n" + value, this);
     return true;
   }
-  if (event->type() == QEvent::ShortcutOverride) {
-    auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() == Qt::Key_Escape && isModified()) {
-      event->accept();
-      return true;
-    }
-    if (!isModified() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
-      event->ignore();
-      return true;
-    }
-  }
-  return QLineEdit::event(event);
+  return FieldEdit::event(event);
 }
 
 void NumberField::finish() {
@@ -118,11 +107,8 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
       return step(1);
     case Qt::Key_Down:
       return step(-1);
-    case Qt::Key_Escape:
-      set_value(value_);
-      [[fallthrough]];
     default:
-      QLineEdit::keyPressEvent(event);
+      FieldEdit::keyPressEvent(event);
   }
 }
 

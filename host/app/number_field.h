@@ -2,10 +2,11 @@
 #ifndef CAGEWRIGHT_HOST_APP_NUMBER_FIELD_H
 #define CAGEWRIGHT_HOST_APP_NUMBER_FIELD_H
 
-#include <QLineEdit>
 #include <functional>
 #include <limits>
 #include <string>
+
+#include "host/app/field_edit.h"
 
 namespace cagewright::host {
 
@@ -13,7 +14,7 @@ namespace cagewright::host {
 // to 0. The tool tip has all digits. Told when return or tabulator ends the editing; whoever is told sees to the range
 // and shows the number before again where it refuses. What is no number is refused here, and goes back to what it was.
 // The arrow keys change the second digit, within the range.
-class NumberField : public QLineEdit {
+class NumberField : public FieldEdit {
  public:
   explicit NumberField(QWidget* parent = nullptr);
 

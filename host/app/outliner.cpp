@@ -41,7 +41,7 @@ Outliner::Outliner(Editor& editor, QWidget* parent) : QTreeWidget(parent), edito
   header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
-  setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   setUniformRowHeights(true);
   connect(this, &QTreeWidget::itemSelectionChanged, this, [this] { take_selection(); });
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int) { rename(item); });

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -66,6 +67,11 @@ Verdict verdict_of(const CageState& cage, std::size_t slides, bool is_solving) {
   if (cage.failed) return {last_good_text(cage.section_slides.size(), slides), Tone::doubtful};
   if (!cage.is_of_now || cage.is_of_editing || !cage.certificate)
     return {is_solving ? "Being made ..." : "Not certified yet", Tone::unknown};
+  const auto lost = std::ranges::count(cage.sections_merged, true);
+  if (cage.certificate->encloses && cage.certificate->keeps_distance && lost > 0)
+    return {
+        QString("Certified, but without the sections of %1 slide%2, see Problems").arg(lost).arg(lost == 1 ? "" : "s"),
+        Tone::doubtful};
   if (cage.certificate->encloses && cage.certificate->keeps_distance)
     return {"Certified: it encloses the model", Tone::good};
   if (cage.certificate->encloses) return {"Encloses the model, but not at the distance asked for", Tone::doubtful};

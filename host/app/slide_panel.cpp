@@ -4,10 +4,10 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <limits>
 
+#include "host/app/field_edit.h"
 #include "host/app/number_field.h"
 #include "host/file/file_error.h"
 #include "host/workspace/find_problem.h"
@@ -19,10 +19,11 @@ SlidePanel::SlidePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   auto* form = new QFormLayout(this);
   form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // three numbers beside one another need the room
   form->setVerticalSpacing(3);
-  name_ = new QLineEdit(this);
+  name_ = new FieldEdit(this);
   name_->setObjectName("slide_name");
   name_->setToolTip("The slide's name: files, reports and sentences about it use it.");
   connect(name_, &QLineEdit::editingFinished, this, [this] { rename(); });
+  name_->on_give_up([this] { show_slide(); });
   form->addRow("Name", name_);
   add_numbers(*form, "Centre", "slide_centre", "Centre of the ellipse, in the mesh node's space.", translate_.data(),
               3);
@@ -93,6 +94,7 @@ void SlidePanel::show_slide() {
 }
 
 void SlidePanel::rename() {
+  if (!name_->isModified()) return;
   const SceneSlide* shown = slide();
   const std::string name = name_->text().toStdString();
   name_->setModified(false);

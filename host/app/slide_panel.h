@@ -10,10 +10,10 @@
 
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 
 namespace cagewright::host {
 
+class FieldEdit;
 class NumberField;
 
 // The slide that was selected last, in numbers; each edit is one step of undo.
@@ -30,7 +30,7 @@ class SlidePanel : public QWidget {
   void take_numbers();
 
   Editor& editor_;
-  QLineEdit* name_;
+  FieldEdit* name_;
   std::array<NumberField*, 3> translate_{}, rotate_{};
   std::array<NumberField*, 2> radii_{};
   QLabel* state_;

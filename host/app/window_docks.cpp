@@ -66,6 +66,7 @@ void MainWindow::make_docks() {
   }
   share_heights();
   resizeDocks({problems, findChild<QDockWidget*>("attributes_dock")}, {dock_width, dock_width}, Qt::Horizontal);
+  first_docks_ = saveState();
 }
 
 // The field of the parameter that a sentence advises to set.
@@ -171,6 +172,19 @@ QStringList MainWindow::shown_panels() const {
 void MainWindow::show_panels(const QStringList& shown) {
   for (QWidget* panel : findChildren<QWidget*>(QRegularExpression(panel_names)))
     panel->setVisible(shown.contains(panel->objectName()));
+}
+
+void MainWindow::reset_panels() {
+  forget_border();
+  wide_docks_ = first_docks_;
+  is_narrow_ = false;
+  setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
+  restoreState(first_docks_);
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
+  share_heights();
+  resizeDocks({findChild<QDockWidget*>("problems_dock"), findChild<QDockWidget*>("attributes_dock")},
+              {dock_width, dock_width}, Qt::Horizontal);
+  if (is_small()) set_narrow(true);
 }
 
 void MainWindow::save_layout() const {

@@ -267,7 +267,8 @@ void MainWindow::paste_slides() {
   if (slides.empty())
     return say_failure(
         "The clipboard holds no slides: select some, here or in another window, and copy them with Ctrl+C first.");
-  editor_->run({{"command", "paste_slides"}, {"slides", slides}});
+  const std::string count = std::to_string(slides.size()) + (slides.size() == 1 ? " slide" : " slides");
+  if (editor_->run({{"command", "paste_slides"}, {"slides", slides}})) say_done("Pasted " + count);
 }
 
 }  // namespace cagewright::host

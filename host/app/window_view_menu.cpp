@@ -68,6 +68,8 @@ void MainWindow::make_view_menu() {
   add_show_marks(menu);
   QMenu& panels = *menu.addMenu("Pa&nels");
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels.addAction(dock->toggleViewAction());
+  panels.addSeparator();
+  add(panels, {"reset_panels", "&Reset Panels", "", "Every panel where it was at first", [this] { reset_panels(); }});
   menu.addSeparator();
   QAction* dark = add_check(menu, {"dark", "Dar&k Theme", "", "Dark or light colours", [] {}}, true);
   connect(dark, &QAction::triggered, this, [this](bool on) {  // not where set_dark sets it

@@ -53,7 +53,9 @@ class ScriptRun {
         return exit_cancelled;
       }
     }
-    return is_good_ ? exit_done : exit_not_certified;
+    if (is_good_) return exit_done;
+    std::cerr << "cagewright: " << one_line(bad_) << '\n';
+    return exit_not_certified;
   }
 
  private:
@@ -64,7 +66,7 @@ class ScriptRun {
       using nlohmann::json;
       // A path in it may be no UTF-8.
       if (!said.empty()) std::cout << said.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-      judge(command["command"].get<std::string>());
+      judge(command["command"].get<std::string>(), place);
     } catch (const PluginError& error) {
       throw_if_interrupted();
       if (blame(error.status()) == Blame::program) throw;
@@ -83,15 +85,23 @@ class ScriptRun {
     }
   }
 
-  void judge(const std::string& command) {
+  void judge(const std::string& command, const std::string& place) {
     static const std::set<std::string> judged = {"save", "export_cage", "wait", "report"};
-    if (judged.count(command) > 0 && workspace_.mesh_node() >= 0) is_good_ = is_good(workspace_.cage());
+    if (judged.count(command) == 0 || workspace_.mesh_node() < 0) return;
+    is_good_ = is_good(workspace_.cage());
+    bad_ = place + "the cage does not enclose the model" + reason();
+  }
+
+  std::string reason() const {
+    const std::vector<Problem>& problems = workspace_.cage().problems;
+    return problems.empty() ? "" : ": " + problems.front().sentence;
   }
 
   std::string name_;
   Workspace workspace_;
   ScriptRunner runner_;
   bool is_good_ = true;
+  std::string bad_;  // says why it is not
 };
 
 }  // namespace

@@ -119,6 +119,19 @@ class Exporting(DialogTest):
         subprocess.run([PROGRAM, 'check', path('biped.off'), self.in_folder('cage.obj')], check=True,
                        stdout=subprocess.DEVNULL)
 
+    def test_it_is_said_where_the_cage_that_is_written_is_not_that_of_the_slides(self):
+        window = self.open()
+        window.settle()
+        waist = next(slide for slide in window.state()['slides'] if slide['name'] == 'waist')
+        window.run('add_slide', name='tilted', center=waist['center'], u=waist['u'], v=[0, 0.1, 0.1])
+        self.assertTrue(window.settle()['cage']['failed'])
+        window.key('ctrl+e')
+        self.answer(window, 'Export the cage', self.in_folder('cage.obj'))
+        why = 'the last good cage, of 17 slides: the slides as they are now give none'
+        self.status(window, 'Exported to cage.obj: ' + why)
+        window.run('save', path=self.in_folder('failed.glb'))
+        self.status(window, 'Saved failed.glb with ' + why)
+
     def test_a_picture_is_exported(self):
         window = self.open()
         window.settle()

@@ -76,6 +76,25 @@ class Panels(WindowTest):
     def said(self, window, *words):
         return window.wait_until(lambda s: all(word in s['status'] for word in words), ' '.join(words))
 
+    def test_undo_after_a_name_was_taken_is_the_scenes_and_escape_gives_up_what_is_typed(self):
+        window = self.open()
+        window.settle()
+        window.run('select', slides=['waist'])
+        window.click_widget('slide_name')
+        window.key('ctrl+a')
+        window.type('belly')
+        window.key('Return')
+        window.wait_until(lambda s: 'belly' in [slide['name'] for slide in s['slides']], 'it is renamed')
+        window.key('ctrl+z')
+        state = window.wait_until(lambda s: 'waist' in [slide['name'] for slide in s['slides']], 'it has its name again')
+        self.assertEqual(window.where(widget='slide_name')['text'], 'waist')
+        window.type('wa')
+        window.key('Escape')
+        self.assertEqual(window.where(widget='slide_name')['text'], 'waist')
+        window.key('Tab')
+        self.assertEqual(window.state()['undo'], state['undo'])
+        self.assertIn('waist', [slide['name'] for slide in window.state()['slides']])
+
     def test_a_number_that_is_refused_is_told_and_goes_back_to_what_it_was(self):
         window = self.open()
         window.settle()
@@ -272,6 +291,21 @@ class Sizes(WindowTest):
         shows_the_field()
         self.assertEqual(self.seen(window), ['tabs'])
         window.shot('field_in_small_window')
+
+    def test_the_view_keeps_a_least_size_and_panels_can_be_reset(self):
+        window = self.open()
+        window.settle()
+        before = self.heights(window), window.view()
+        x, y, width, height = window.view()
+        window.drag([(x + width + 2, y + height / 2), (x + 5, y + height / 2)])
+        time.sleep(0.3)
+        self.assertGreaterEqual(window.view()[2], 240)
+        self.drag_down(window, 'attributes_dock', -80)
+        self.toggle(window, 'problems')
+        window.focus('main_window')
+        window.key('alt+v', 'n', 'r')
+        window.wait_until(lambda s: self.shown(window) == list(self.panels), 'they are all there')
+        window.wait_until(lambda s: (self.heights(window), window.view()) == before, 'they are as at first')
 
     def heights(self, window):
         at = {name: window.ask(command='where', widget=name + '_dock')

@@ -3,6 +3,7 @@
 
     python3 session_test.py PROGRAM TESTDATA SLIDES_FOLDER SCENES_FOLDER [unittest's arguments]
 """
+import json
 import os
 import re
 import shutil
@@ -328,6 +329,29 @@ class Files(WindowTest):
         again.click_widget('Yes')
         state = again.wait_until(lambda s: s.get('slides'), 'recovered')
         self.assertIn('edit %d' % left, [slide['name'] for slide in state['slides']])
+
+    def test_a_recording_in_which_what_was_before_it_is_undone_and_redone_replays_to_the_same_file(self):
+        window = self.open()
+        window.settle()
+        window.run('rename_slide', slide='waist', name='belly')
+        window.run('remove_slides', slides=['brow'])
+        script = path('undone.jsonl')
+        window.run('record', path=script)
+        window.run('undo')
+        window.run('undo')
+        window.run('duplicate_slides', slides=['waist'])
+        window.run('undo')
+        window.run('redo')
+        window.run('save', path=path('undone.glb'))
+        window.run('record')
+        with open(path('undone.glb'), 'rb') as file:
+            recorded = file.read()
+        os.remove(path('undone.glb'))
+        with open(script) as file:
+            self.assertEqual([json.loads(line)['command'] for line in file].count('undo'), 1)
+        subprocess.run([PROGRAM, '--command', script], check=True, stdout=subprocess.DEVNULL)
+        with open(path('undone.glb'), 'rb') as file:
+            self.assertEqual(file.read(), recorded)
 
     def test_a_recorded_session_replays_to_the_same_file(self):
         window = self.open()

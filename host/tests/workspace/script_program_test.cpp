@@ -131,6 +131,7 @@ TEST_F(ScriptProgramTest, ACageWithoutACertificateIsExitCodeOne) {
       "{\"command\": \"wait\"}\n";
   const ProgramRun failed = run({"--command", script("s.script", lines)});
   EXPECT_EQ(failed.exit_code, 1) << failed.errors;
+  EXPECT_NE(failed.errors.find("the cage does not enclose the model: "), std::string::npos) << failed.errors;
   EXPECT_NE(failed.output.find("'a'"), std::string::npos) << "the problem is said";
   const ProgramRun mended =
       run({"--command", script("s.script", lines + "{\"command\": \"undo\"}\n{\"command\": \"wait\"}")});
