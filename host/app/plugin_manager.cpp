@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/plugin_manager.h"
+#include "host/app/file_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -56,7 +56,7 @@ void PluginManager::show_plugin() {
 }
 
 void PluginManager::choose() {
-  const QString file = QFileDialog::getOpenFileName(this, "Load a plug-in", "", "Plug-ins (*.so);;All files (*)");
+  const QString file = ask_for_file_to_open(this, "Load a plug-in", "", "Plug-ins (*.so);;All files (*)");
   if (!file.isEmpty()) editor_.run({{"command", "load_plugin"}, {"path", file.toStdString()}});
 }
 

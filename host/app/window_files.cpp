@@ -14,6 +14,7 @@
 #include <exception>
 #include <system_error>
 
+#include "host/app/file_dialog.h"
 #include "host/app/file_ending.h"
 #include "host/app/main_window.h"
 #include "host/app/turntable_text.h"
@@ -89,9 +90,8 @@ bool MainWindow::may_lose_changes() {
 }
 
 void MainWindow::choose_file() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, "Open", QSettings().value("folder").toString(),
-                                   "Scenes and models (*.glb *.gltf *.obj *.off *.ply *.stl);;All files (*)");
+  const QString file = ask_for_file_to_open(this, "Open", QSettings().value("folder").toString(),
+                                            "Scenes and models (*.glb *.gltf *.obj *.off *.ply *.stl);;All files (*)");
   if (file.isEmpty()) return;
   QSettings().setValue("folder", text_of(path_of(file).parent_path()));
   open(path_of(file));
@@ -167,7 +167,7 @@ bool MainWindow::save_to(const fs::path& path) {
 // The dialog has asked about the name as it was typed, not about that with the filter's ending.
 QString MainWindow::choose_name(const QString& title, const fs::path& suggested, const QString& filters) {
   QString filter;
-  const QString typed = QFileDialog::getSaveFileName(this, title, text_of(suggested), filters, &filter);
+  const QString typed = ask_for_file_to_save(this, title, text_of(suggested), filters, filter);
   if (typed.isEmpty()) return {};
   const QString named = with_ending_of(filter, typed);
   std::error_code none;

@@ -3,13 +3,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QFile>
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QTimer>
 #include <exception>
 #include <utility>
 
+#include "host/app/file_dialog.h"
 #include "host/app/main_window.h"
 #include "host/app/validation_dialog.h"
 #include "host/plugin_client/plugin_error.h"
@@ -23,7 +23,10 @@ std::string path_name(const QString& file) { return std::filesystem::path(file.t
 
 void MainWindow::record_script() {
   if (recorder_->is_recording()) return record({});
-  record(choose_name("Record a script", "", "Scripts (*.jsonl);;All files (*)").toStdString());
+  const Workspace& workspace = editor_->workspace();
+  const std::filesystem::path folder = workspace.has_scene() ? workspace.path().parent_path() : "";
+  record(choose_name("Record a script", folder.empty() ? folder : folder / "", "Scripts (*.jsonl);;All files (*)")
+             .toStdString());
 }
 
 void MainWindow::record(const std::filesystem::path& path) {
@@ -38,7 +41,7 @@ void MainWindow::record(const std::filesystem::path& path) {
 }
 
 void MainWindow::run_script() {
-  const QString name = QFileDialog::getOpenFileName(this, "Run a script", "", "Scripts (*.jsonl);;All files (*)");
+  const QString name = ask_for_file_to_open(this, "Run a script", "", "Scripts (*.jsonl);;All files (*)");
   if (name.isEmpty() || !may_lose_changes()) return;
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly))

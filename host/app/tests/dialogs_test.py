@@ -109,6 +109,18 @@ class Saving(DialogTest):
             self.assertEqual(after.read(), before.read())
 
 
+class Opening(DialogTest):
+    def test_a_path_that_is_typed_whole_into_the_folder_that_is_shown_is_opened(self):
+        window = self.open('biped.off')
+        window.settle()
+        for name, slides in (('biped.glb', 17), ('biped.off', 0), ('biped.glb', 17)):
+            window.focus('main_window')
+            window.key('ctrl+o')
+            self.answer(window, 'Open', path(name))
+            window.wait_until(lambda s: s['has_scene'] and len(s['slides']) == slides, name + ' is open', 20)
+            window.settle()
+
+
 class Exporting(DialogTest):
     def test_the_cage_is_exported_as_a_mesh_that_encloses_the_model(self):
         window = self.open()
