@@ -44,7 +44,6 @@ QString step_to_a_cage(const Workspace& workspace) {
   return "The cage was stopped before it was made: G makes it, and so does any change.";
 }
 
-constexpr QSize least_view(240, 180);
 constexpr int failure_ms = 12000, done_ms = 6000;  // how long the status line shows one
 
 }  // namespace
@@ -73,7 +72,6 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
   autosave_->on_failure([this](const std::string& sentence) { say_warning(sentence); });
   autosave_->on_lock([this] { show_title(); });
   view_ = new ViewWidget(*editor_, graphics, this);
-  view_->setMinimumSize(least_view);
   setCentralWidget(view_);
   make_docks();
   make_menus();
