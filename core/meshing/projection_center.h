@@ -18,10 +18,10 @@ namespace cagewright {
 double visibility(const Bounds& bounds, const Vector3& center);
 
 // The centre of projection of 3.3: about the point of greatest visibility. A pattern search from the mean of all
-// corners (the paper: of the bounds' centres) finds it roughly; Newton's method on a smooth stand-in makes it a point that
-// moves with the model to the last few bits. `part` and the slides' `names` are for the sentence.
-// Throws Error(sections_overlap) where no point is found with a visibility above tolerance::least_visibility, as
-// between sections in one plane. O(bounds^2).
+// corners (the paper: of the bounds' centres) finds it roughly; Newton's method on a smooth stand-in makes it a point
+// that moves with the model to the last few bits. `part` and the slides' `names` are for the sentence. Throws
+// Error(sections_overlap) where no point is found with a visibility above tolerance::least_visibility, as between
+// sections in one plane. O(bounds^2).
 Vector3 projection_center(const Bounds& bounds, std::size_t part, const std::vector<std::string>& names);
 
 // The same point, or nothing where that would throw or the point sees two corners in one direction.

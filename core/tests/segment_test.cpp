@@ -213,8 +213,9 @@ TEST(Segment, LooksAtEverySlideThoughOneFails) {
 
 TEST(Segment, RefusesARingThatIsCutOnce) {
   const SlidBody body = shapes::ring(1);
-  const Error error = expect_error([&] { segment(prepare_model(body.mesh), body.slides); },
-                                   ErrorCode::part_sees_slide_twice, {"'slide 0'", "both sides", "add two more slides round it"});
+  const Error error =
+      expect_error([&] { segment(prepare_model(body.mesh), body.slides); }, ErrorCode::part_sees_slide_twice,
+                   {"'slide 0'", "both sides", "add two more slides round it"});
   EXPECT_EQ(error.place().slide, 0u);
   EXPECT_EQ(error.place().part, 0u);
 }
