@@ -344,21 +344,9 @@ class Enclosing {
       add_slides(t, slides);
     }
     for (const auto& [t, wall] : certificate.model_cage_intersections) add_slides(wall, slides);
-    Finding finding;
-    std::string& text = finding.sentence;
-    text = "the cage could not be made to enclose the model: " + std::to_string(certificate.self_intersections.size()) +
-           " pairs of its triangles cross each other, " + std::to_string(certificate.model_cage_intersections.size()) +
-           " model triangles cross it, " + std::to_string(certificate.vertices_outside.size()) +
-           " model vertices are outside; ";
-    if (slides.empty()) {
-      text += "add slides";
-    } else {
-      const std::set<int> named = worst(slides);
-      text += (slides.size() > named.size() ? "most of that is near the slides " : "that is near the slides ") +
-              quoted(named, names_) + ": move or turn one of them, or add one between them" +
-              (options_.in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
-      finding.slides.assign(named.begin(), named.end());
-    }
+    const std::set<int> named = worst(slides);
+    Finding finding =
+        not_enclosing_finding(certificate, named, named.size() == slides.size(), options_.in_plane, names_);
     finding.place = place_of_failure();
     return {finding};
   }

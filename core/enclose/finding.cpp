@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/enclose/finding.h"
 
+#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -35,9 +36,35 @@ Limbs limbs_of(const Pairs& pairs, const std::vector<std::string>& names) {
   return limbs;
 }
 
+// "the slide 'knee'", and more.
+std::string which(const std::set<int>& slides, const std::vector<std::string>& names) {
+  return (slides.size() == 1 ? "the slide " : "the slides ") + quoted(slides, names);
+}
+
 // "the section of the slide 'knee'", and of more.
 std::string sections_of(const std::set<int>& slides, const std::vector<std::string>& names) {
-  return (slides.size() == 1 ? "the section of the slide " : "the sections of the slides ") + quoted(slides, names);
+  return (slides.size() == 1 ? "the section of " : "the sections of ") + which(slides, names);
+}
+
+struct Counted {
+  std::size_t count;
+  const char *one, *more;  // what is counted, after its number
+};
+
+// What a certificate misses, divided by commas; what it does not miss goes without saying.
+std::string missing_text(const Certificate& certificate) {
+  const std::array counted = {
+      Counted{certificate.degenerate_triangles.size(), " of its triangles has no area",
+              " of its triangles have no area"},
+      Counted{certificate.self_intersections.size(), " pair of its triangles crosses", " pairs of its triangles cross"},
+      Counted{certificate.model_cage_intersections.size(), " triangle of the model crosses it",
+              " triangles of the model cross it"},
+      Counted{certificate.vertices_outside.size(), " vertex of the model is outside",
+              " vertices of the model are outside"}};
+  std::string text;
+  for (const auto& [count, one, more] : counted)
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : more);
+  return text.empty() ? "it is not closed" : text;
 }
 
 std::vector<int> listed(const std::set<int>& slides) { return {slides.begin(), slides.end()}; }
@@ -54,6 +81,19 @@ std::string quoted(const std::set<int>& slides, const std::vector<std::string>& 
   std::string text;
   for (const int k : slides) text += (text.empty() ? "'" : ", '") + names[static_cast<std::size_t>(k)] + "'";
   return text;
+}
+
+Finding not_enclosing_finding(const Certificate& certificate, const std::set<int>& slides, bool are_all, bool in_plane,
+                              const std::vector<std::string>& names) {
+  std::string text = "the cage could not be made to enclose the model: " + missing_text(certificate) + "; ";
+  if (slides.empty())
+    text += "add slides";
+  else
+    text += (are_all ? "that is near " : "most of that is near ") + which(slides, names) +
+            (slides.size() == 1 ? ": move or turn it, or add one beside it"
+                                : ": move or turn one of them, or add one between them") +
+            (in_plane ? ", or let sections leave their slides' planes (enclose.in_plane=false)" : "");
+  return {std::move(text), listed(slides), {}};
 }
 
 Finding too_near_finding(const TooNear& near, double kept, const Vector3& place,

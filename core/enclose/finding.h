@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/enclose/certificate.h"
 #include "core/enclose/clearance.h"
 #include "core/mesh/types.h"
 
@@ -29,6 +30,10 @@ std::string sentences_of(const std::vector<Finding>& findings);
 // Names of slides in quotes, divided by commas.
 std::string quoted(const std::set<int>& slides, const std::vector<std::string>& names);
 
+// The cage could not be made to enclose the model: what its certificate misses, with the slides near the most of it;
+// `are_all`: near all of it.
+Finding not_enclosing_finding(const Certificate& certificate, const std::set<int>& slides, bool are_all, bool in_plane,
+                              const std::vector<std::string>& names);
 // The cage keeps `kept` of the diagonal, which is less than was asked for; least at `place`.
 Finding too_near_finding(const TooNear& near, double kept, const Vector3& place, const std::vector<std::string>& names);
 // Sections that could not stay in the planes of their slides.

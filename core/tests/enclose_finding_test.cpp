@@ -38,6 +38,30 @@ TEST(Finding, OfManyMergedLimbsNamesThreePairs) {
   EXPECT_EQ(finding.slides, (std::vector<int>{0, 1, 2, 3, 4, 5}));
 }
 
+TEST(Finding, OfACageThatDoesNotEncloseNamesOnlyWhatIsThere) {
+  Certificate certificate;
+  certificate.closed = true;
+  certificate.self_intersections = {{0, 1}};
+  certificate.vertices_outside = {4, 7};
+  const Finding finding = not_enclosing_finding(certificate, {1, 5}, true, false, names);
+  EXPECT_EQ(finding.sentence,
+            "the cage could not be made to enclose the model: 1 pair of its triangles crosses, 2 vertices of the model "
+            "are outside; that is near the slides 'knee', 'neck': move or turn one of them, or add one between them");
+  EXPECT_EQ(finding.slides, (std::vector<int>{1, 5}));
+  EXPECT_FALSE(finding.is_advice);
+  certificate.self_intersections.clear();
+  certificate.vertices_outside = {4};
+  certificate.model_cage_intersections = {{2, 0}, {3, 0}};
+  certificate.degenerate_triangles = {9};
+  EXPECT_EQ(
+      not_enclosing_finding(certificate, {2}, false, true, names).sentence,
+      "the cage could not be made to enclose the model: 1 of its triangles has no area, 2 triangles of the model "
+      "cross it, 1 vertex of the model is outside; most of that is near the slide 'heel': move or turn it, or add "
+      "one beside it, or let sections leave their slides' planes (enclose.in_plane=false)");
+  EXPECT_EQ(not_enclosing_finding({}, {}, true, true, names).sentence,
+            "the cage could not be made to enclose the model: it is not closed; add slides");
+}
+
 TEST(Finding, OnlyADistanceThatIsNotKeptIsNoAdvice) {
   TooNear near;
   near.slides = {2};
