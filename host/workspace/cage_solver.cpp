@@ -138,7 +138,7 @@ struct CageSolver::State {
       SolveResult made = solve(request);
       lock.lock();
       is_running = false;
-      progress = {waiting.has_value(), 0, ""};
+      progress = {waiting.has_value(), waiting ? 0.0 : 1.0, ""};
       // A result that nobody has taken yet is more than none.
       if (!made.was_cancelled || !result) result = std::move(made);
       changed.notify_all();
@@ -173,6 +173,7 @@ void CageSolver::request(SolveRequest request) {
     state_->waiting = std::move(request);
     if (state_->is_running && !state_->runs_for_editing) state_->is_cancelled = true;
     state_->progress.is_solving = true;
+    if (!state_->is_running) state_->progress.fraction = 0;
   }
   state_->changed.notify_all();
 }
@@ -197,7 +198,9 @@ std::optional<SolveResult> CageSolver::take_result() {
 
 SolveProgress CageSolver::progress() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->progress;
+  SolveProgress progress = state_->progress;
+  progress.is_solving = progress.is_solving || state_->result;
+  return progress;
 }
 
 void CageSolver::wait() {

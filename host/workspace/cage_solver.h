@@ -49,8 +49,8 @@ class CageSolver {
   void request(SolveRequest request);
   void cancel();  // what runs and what waits
   std::optional<SolveResult> take_result();
-  SolveProgress progress() const;
-  void wait();  // until nothing runs or waits
+  SolveProgress progress() const;  // of what is not taken, too: until then nobody has its cage
+  void wait();                     // until nothing runs or waits
 
  private:
   struct State;

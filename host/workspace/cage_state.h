@@ -57,7 +57,7 @@ struct CageState {
 // How far a solve has come.
 struct SolveProgress {
   bool is_solving = false;
-  double fraction = 0;
+  double fraction = 0;  // 1: it is done
   std::string stage;
 };
 

@@ -128,7 +128,7 @@ TEST_F(CageFollowsTest, TheCageOfAPreviewThatComesLateIsNotShown) {
   Slide::Ellipse dragged = ellipse("slide 2");
   dragged.center[1] += 0.2;
   workspace_.set_preview({{id("slide 2"), dragged}});
-  while (workspace_.progress().is_solving) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (workspace_.progress().fraction < 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   workspace_.rename_slide(id("slide 1"), "knee");  // before anybody has taken it
   workspace_.poll();
   EXPECT_FALSE(workspace_.cage().is_of_editing);
@@ -280,6 +280,7 @@ TEST_F(CageFollowsTest, TheLatestOfManyRequestsIsTheOneThatIsAnswered) {
     solver.request({3, mesh, {{7, {"a", ellipse}}}, {}, revision % 2 == 0, revision});
   }
   solver.wait();
+  EXPECT_TRUE(solver.progress().is_solving) << "nobody has the cage yet";
   const auto result = solver.take_result();
   ASSERT_TRUE(result);
   EXPECT_EQ(result->revision, 20U);
@@ -318,7 +319,7 @@ TEST_F(CageFollowsTest, ACageForEditingIsNotOvertakenBeforeItIsTaken) {
   request(true, 5);
   solver.wait();
   request(false, 6);
-  for (int i = 0; i < 50 && solver.progress().is_solving; ++i) rest();
+  for (int i = 0; i < 50 && solver.progress().fraction < 1; ++i) rest();
   EXPECT_EQ(taken(), 6U) << "a whole cage waits for nobody";
 }
 
