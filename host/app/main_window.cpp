@@ -31,8 +31,9 @@ namespace {
 // The next step where the cage, and not the tool, decides it; empty: the tool does.
 QString step_to_a_cage(const Workspace& workspace) {
   const CageState& cage = workspace.cage();
+  if (workspace.mesh_node() < 0) return "No node of this scene has a mesh: File > Open opens another one.";
   // What is being drawn or dragged may mend it.
-  if (workspace.mesh_node() < 0 || !workspace.preview().empty()) return {};
+  if (!workspace.preview().empty()) return {};
   if (cage.failed) {
     const auto names_slides = [](const Problem& problem) { return !problem.slides.empty(); };
     return std::ranges::any_of(cage.problems, names_slides)

@@ -142,6 +142,7 @@ class MainWindow : public QMainWindow {
   void choose_file();
   void finish_typing();
   bool wait_for_cage();
+  QString why_not_done(const nlohmann::json& command);
   bool write(const nlohmann::json& command, const QString& failure);
   bool save_to(const std::filesystem::path& path);
   // To write to; empty: given up. With the chosen filter's first ending where none was typed.

@@ -29,6 +29,10 @@ QString kind_of_cage(const Workspace& workspace) {
   return is_solving ? "cage, being made" : "cage, outdated";
 }
 
+QStyle::StandardPixmap mark_of(const Problem& problem) {
+  return problem.is_advice ? QStyle::SP_MessageBoxInformation : QStyle::SP_MessageBoxWarning;
+}
+
 }  // namespace
 
 Outliner::Outliner(Editor& editor, QWidget* parent) : QTreeWidget(parent), editor_(editor) {
@@ -200,13 +204,12 @@ void Outliner::show_problems() {
   is_filling_ = true;
   const CageState& cage = editor_.workspace().cage();
   for (const auto& [id, item] : slides_) {
-    const Problem* found = find_problem(cage, id);
-    const QString problem = found ? text(found->sentence) : QString();
+    const Problem* found = find_problem_or_advice(cage, id);
     // Without a colour of its own it has the theme's, also after a change of that.
-    item->setData(0, Qt::ForegroundRole, problem.isEmpty() ? QVariant() : QBrush(QColor(0xff, 0x6b, 0x5e)));
+    item->setData(0, Qt::ForegroundRole, found && cage.failed ? QBrush(QColor(0xff, 0x6b, 0x5e)) : QVariant());
     // A selected one has the selection's colours: the mark is seen there, too.
-    item->setIcon(0, problem.isEmpty() ? QIcon() : style()->standardIcon(QStyle::SP_MessageBoxWarning));
-    item->setToolTip(0, problem.isEmpty() ? item->text(0) : problem);
+    item->setIcon(0, found ? style()->standardIcon(mark_of(*found)) : QIcon());
+    item->setToolTip(0, found ? text(found->sentence) : item->text(0));
   }
   is_filling_ = false;
   show_cage();

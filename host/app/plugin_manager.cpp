@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/app/plugin_manager.h"
-#include "host/app/file_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <exception>
+
+#include "host/app/file_dialog.h"
 
 namespace cagewright::host {
 
@@ -28,7 +31,7 @@ PluginManager::PluginManager(Editor& editor, QWidget* parent) : QDialog(parent),
   unload_->setToolTip("Refused while the scene uses it: close the scene first.");
   column->addWidget(buttons);
   connect(load, &QPushButton::clicked, this, [this] { choose(); });
-  connect(unload_, &QPushButton::clicked, this, [this] { editor_.run({{"command", "unload_plugin"}}); });
+  connect(unload_, &QPushButton::clicked, this, [this] { run({{"command", "unload_plugin"}}, "Not unloaded"); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   editor_.listen([this](WorkspaceChange change) {
     if (change == WorkspaceChange::plugin) show_plugin();
@@ -57,7 +60,16 @@ void PluginManager::show_plugin() {
 
 void PluginManager::choose() {
   const QString file = ask_for_file_to_open(this, "Load a plug-in", "", "Plug-ins (*.so);;All files (*)");
-  if (!file.isEmpty()) editor_.run({{"command", "load_plugin"}, {"path", file.toStdString()}});
+  if (!file.isEmpty()) run({{"command", "load_plugin"}, {"path", file.toStdString()}}, "Not loaded");
+}
+
+// A failure gets a box: the line at the bottom of the window is away from here.
+void PluginManager::run(const nlohmann::json& command, const QString& failure) {
+  try {
+    editor_.run_or_throw(command);
+  } catch (const std::exception& error) {
+    QMessageBox::warning(this, failure, QString::fromStdString(error.what()));
+  }
 }
 
 }  // namespace cagewright::host

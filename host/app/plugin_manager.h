@@ -19,6 +19,7 @@ class PluginManager : public QDialog {
  private:
   void show_plugin();
   void choose();
+  void run(const nlohmann::json& command, const QString& failure);
 
   Editor& editor_;
   QLabel* text_;

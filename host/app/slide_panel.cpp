@@ -88,7 +88,7 @@ void SlidePanel::show_slide() {
   radii_[0]->show(placement.radius_u);
   radii_[1]->show(placement.radius_v);
   QString state = shown->stroke.empty() ? "" : QString("Fitted to a stroke of %1 points.").arg(shown->stroke.size());
-  if (const Problem* problem = find_problem(editor_.workspace().cage(), shown->id))
+  if (const Problem* problem = find_problem_or_advice(editor_.workspace().cage(), shown->id))
     state = QString::fromStdString(problem->sentence);
   state_->setText(state);
 }

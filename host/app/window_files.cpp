@@ -59,8 +59,9 @@ json copied_slides() {
 
 void MainWindow::show_first_help() {
   // It would cover what is drawn on; the line at the bottom goes on with what it says.
-  const bool is_wanted = editor_->workspace().has_scene() && editor_->workspace().slides().empty() &&
-                         !editor_->workspace().cage().failed && !view_->is_drawing() &&
+  const Workspace& workspace = editor_->workspace();
+  const bool is_wanted = workspace.has_scene() && workspace.mesh_node() >= 0 && workspace.slides().empty() &&
+                         !workspace.cage().failed && !view_->is_drawing() &&
                          !QSettings().value("knows_slides", false).toBool();
   view_->show_help(is_wanted ? first_help : "");
 }
@@ -144,8 +145,8 @@ bool MainWindow::save_over_another(const fs::path& scene) {
   return answer == QMessageBox::Yes && save_to(scene);
 }
 
-// What somebody has asked for with a file dialog: a failure gets a box, for a line may be missed.
-bool MainWindow::write(const json& command, const QString& failure) {
+// Empty: it went well; else why it did not.
+QString MainWindow::why_not_done(const json& command) {
   std::string why;
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   try {
@@ -154,14 +155,27 @@ bool MainWindow::write(const json& command, const QString& failure) {
     why = without_echo(error.what());
   }
   QGuiApplication::restoreOverrideCursor();
-  if (!why.empty()) QMessageBox::warning(this, failure, QString::fromStdString(why));
-  return why.empty();
+  return QString::fromStdString(why);
+}
+
+// What somebody has asked for with a file dialog: a failure gets a box, for a line may be missed.
+bool MainWindow::write(const json& command, const QString& failure) {
+  const QString why = why_not_done(command);
+  if (!why.isEmpty()) QMessageBox::warning(this, failure, why);
+  return why.isEmpty();
 }
 
 bool MainWindow::save_to(const fs::path& path) {
-  if (!write({{"command", "save"}, {"path", path.string()}}, "Not saved")) return false;
-  remember(path);
-  return true;
+  const QString why = why_not_done({{"command", "save"}, {"path", path.string()}});
+  if (why.isEmpty()) {
+    remember(path);
+    return true;
+  }
+  QMessageBox box(QMessageBox::Warning, "Not saved", why, QMessageBox::Ok, this);
+  const QPushButton* elsewhere = box.addButton("Save &As ...", QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Ok);
+  box.exec();
+  return box.clickedButton() == elsewhere && save_as();
 }
 
 // The dialog has asked about the name as it was typed, not about that with the filter's ending.

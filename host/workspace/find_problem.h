@@ -8,13 +8,17 @@
 
 namespace cagewright::host {
 
-// What keeps a slide from having a cage, by its id; null: nothing. The first where there are several.
-inline const Problem* find_problem(const CageState& cage, std::int64_t slide) {
-  if (!cage.failed) return nullptr;
+// The first problem that names a slide, by its id, advice as well; null: none does.
+inline const Problem* find_problem_or_advice(const CageState& cage, std::int64_t slide) {
   const auto found = std::ranges::find_if(cage.problems, [slide](const Problem& problem) {
     return std::ranges::find(problem.slides, slide) != problem.slides.end();
   });
   return found == cage.problems.end() ? nullptr : &*found;
+}
+
+// What keeps a slide from having a cage, by its id; null: nothing. The first where there are several.
+inline const Problem* find_problem(const CageState& cage, std::int64_t slide) {
+  return cage.failed ? find_problem_or_advice(cage, slide) : nullptr;
 }
 
 }  // namespace cagewright::host

@@ -10,6 +10,7 @@ import tempfile
 import time
 
 from window_case import path, PROGRAM, run_tests, setUpModule, tearDownModule, WindowTest
+from window_driver import obey_permissions
 
 
 def wait_for(holds, what, seconds=60):
@@ -43,6 +44,56 @@ class DialogTest(WindowTest):
         return window.wait_until(lambda s: text in s['status'], 'the status line says: ' + text)
 
 
+class Plugins(DialogTest):
+    def show(self, window):
+        window.key('alt+f')
+        window.key('g')
+        window.focus_dialog('Plug-ins')
+
+    def text(self, window, words):
+        window.wait_until(lambda s: words in window.where(widget='plugin_text')['text'], 'it says: ' + words)
+        return window.where(widget='plugin_text')['text']
+
+    def dismiss(self, window, title):
+        window.focus_dialog(title)
+        window.click_widget('OK')
+        window.focus_dialog('Plug-ins')
+
+    def test_what_is_loaded_is_shown_and_not_unloaded_while_the_scene_uses_it(self):
+        window = self.open()
+        window.settle()
+        self.show(window)
+        text = self.text(window, 'cagewright_plugin.so')
+        for word in ('Version', 'ABI', 'Parameters'):
+            self.assertIn(word, text)
+        window.click_widget('Unload')
+        self.dismiss(window, 'Not unloaded')
+        self.text(window, 'cagewright_plugin.so')
+        window.run('close')
+        window.click_widget('Unload')
+        self.text(window, 'No plug-in is loaded')
+
+    def test_another_file_is_loaded_and_one_that_is_no_plugin_leaves_things_as_they_are(self):
+        window = self.open()
+        window.settle()
+        window.run('close')
+        self.show(window)
+        loaded = self.text(window, 'cagewright_plugin.so')
+        with open(self.in_folder('broken.so'), 'w') as file:
+            file.write('no plug-in')
+        window.click_widget('Load ...')
+        self.answer(window, 'Load a plug-in', self.in_folder('broken.so'))
+        self.dismiss(window, 'Not loaded')
+        self.assertEqual(self.text(window, 'File'), loaded)
+        other = self.in_folder('other.so')
+        shutil.copy(os.path.join(os.path.dirname(PROGRAM), 'cagewright_plugin.so'), other)
+        window.click_widget('Load ...')
+        self.answer(window, 'Load a plug-in', other)
+        self.text(window, other)
+        window.run('open', path=path('biped.glb'))
+        window.wait_until(lambda s: s['cage']['certified'], 'the other one makes the cage')
+
+
 class Saving(DialogTest):
     def test_save_as_writes_another_scene_which_is_then_the_open_one(self):
         window = self.open()
@@ -72,6 +123,28 @@ class Saving(DialogTest):
         window.click_widget('OK')
         self.assertEqual(window.state()['title'], title)
         self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_scene_that_cannot_be_written_where_it_is_can_be_saved_under_another_name_at_once(self):
+        closed = self.in_folder('closed')
+        os.mkdir(closed)
+        shutil.copy(path('biped.glb'), closed)
+        os.chmod(closed, 0o555)
+        self.addCleanup(os.chmod, closed, 0o755)
+        if subprocess.run(['touch', os.path.join(closed, 'written')], preexec_fn=obey_permissions,
+                          stderr=subprocess.DEVNULL).returncode == 0:
+            self.skipTest('root cannot be kept from writing here (prctl)')
+        window = self.open(os.path.join(closed, 'biped.glb'), before=obey_permissions)
+        window.settle()
+        window.run('remove_slides', slides=['brow'])
+        window.settle()
+        window.focus('main_window')
+        window.key('ctrl+s')
+        window.focus_dialog('Not saved')
+        window.click_widget('Save As ...')
+        self.answer(window, 'Save as', self.in_folder('elsewhere.glb'))
+        state = self.status(window, 'Saved elsewhere.glb')
+        self.assertTrue(state['saved'])
+        self.assertEqual(os.listdir(closed), ['biped.glb'])
 
     def test_a_name_without_an_ending_gets_the_chosen_filters_and_a_scene_of_that_name_is_asked_about(self):
         shutil.copy(path('biped.glb'), self.in_folder('taken.glb'))

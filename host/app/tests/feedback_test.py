@@ -231,6 +231,23 @@ class Outliner(WindowTest):
         self.assertGreater(marks('waist'), 20)
         self.assertEqual(marks('neck'), 0)
 
+    def test_a_slide_that_advice_names_has_a_mark_of_another_colour_and_says_it_among_its_numbers(self):
+        window = self.open('biped.off')
+        window.settle()
+        window.run('add_slide', name='belly', point=[0, 0.9, 0], normal=[0, 1, 0])
+        advice = next(problem for problem in window.settle()['problems'] if problem['slides'])
+        self.assertTrue(advice['is_advice'], advice)
+        self.assertEqual(advice['slides'], ['belly'])
+        window.run('select', slides=[])
+        window.move(700, 450)
+        shot = window.shot('advice_mark')
+        at, row = window.where(widget='outliner'), self.rows(window)['belly']
+        beside = (at['x'], row['y'] - 8, at['width'], 16)
+        self.assertGreater(shot.count(beside, lambda r, g, b: b > 140 and r < 120), 10)  # the blue of an i
+        self.assertEqual(shot.count(beside, lambda r, g, b: r > 180 and b < 120), 0)  # neither a warning nor red
+        window.run('select', slides=['belly'])
+        self.assertEqual(window.where(widget='slide_state')['text'], advice['sentence'])
+
     def test_the_names_of_a_deep_tree_are_whole_and_can_be_scrolled_to(self):
         nodes = [{'name': 'node of the depth %d' % i, 'children': [i + 1]} for i in range(14)]
         with open(path('deep.gltf'), 'w') as file:
@@ -247,6 +264,17 @@ class Outliner(WindowTest):
         self.assertGreater(window.shot('deep_scrolled').differs(before, (at['x'], at['y'], at['width'], at['height'])),
                            1000)
         self.assertLess(deep['x'], at['x'] + at['width'])
+
+    def test_says_that_a_scene_has_no_mesh(self):
+        with open(path('meshless.gltf'), 'w') as file:
+            json.dump({'asset': {'version': '2.0'}, 'scenes': [{'nodes': [0]}], 'nodes': [{'name': 'root'}]}, file)
+        window = self.open('meshless.gltf')
+        state = window.state()
+        self.assertEqual(state['status'], path('meshless.gltf') + ': no node has a mesh, so there is nothing to cage')
+        self.assertFalse(window.ask(command='where', widget='help')['ok'])  # nothing to draw on
+        window.move(700, 450)
+        window.wait_until(lambda s: s['status'] == '', 'the sentence is gone', timeout=30)
+        self.assertIn('No node of this scene has a mesh', window.where(widget='hint')['text'])
 
     def test_says_that_a_model_gives_no_cage_and_why(self):
         window = self.open(self.open_model())
