@@ -37,11 +37,8 @@ std::string length_text(const json& stroke, const SceneSlide& slide) {
 std::string doubt_text(const Workspace& workspace) {
   const CageState& cage = workspace.cage();
   if (cage.cage.triangles.empty()) return {};
-  if (cage.failed) {
-    const std::size_t slides = cage.section_slides.size();
-    return "the last good cage, of " + std::to_string(slides) + (slides == 1 ? " slide" : " slides") +
-           ": the slides as they are now give none";
-  }
+  if (cage.failed) return "the last good cage: the slides as they are now give none";
+  if (workspace.plugin() && !cage.is_of_now) return "an older cage: that of the slides as they are now was not made";
   if (cage.certificate && !cage.certificate->encloses) return "a cage that is not certified";
   return {};
 }

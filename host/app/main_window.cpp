@@ -65,7 +65,10 @@ MainWindow::MainWindow(std::shared_ptr<const Plugin> plugin, Graphics graphics) 
   editor_->on_refusal([this](const std::string& sentence) { say_refusal(sentence); });
   editor_->on_done(
       [this](const nlohmann::json& command, const nlohmann::json& said) { finish_command(command, said); });
-  recorder_ = std::make_unique<ScriptRecorder>(*editor_);
+  recorder_ = std::make_unique<ScriptRecorder>(*editor_, [this](const std::string& sentence) {
+    record_->setChecked(false);
+    say_warning(sentence);  // no failure: what was being recorded has been done
+  });
   autosave_ = new Autosave(*editor_, this);
   bool is_given = false;
   if (const int delay = qEnvironmentVariableIntValue("CAGEWRIGHT_AUTOSAVE_MS", &is_given); is_given)

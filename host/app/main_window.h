@@ -95,6 +95,7 @@ class MainWindow : public QMainWindow {
   void save_layout() const;
   void show_parameter_of(const std::string& sentence);
   void share_heights();  // of the panels above one another
+  void share_first_heights();
   void make_menus();
   void make_file_menu();
   void make_edit_menu();

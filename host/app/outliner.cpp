@@ -231,6 +231,10 @@ void Outliner::take_selection() {
   editor_.run({{"command", "select"}, {"slides", names}});
 }
 
+bool Outliner::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+  return QTreeWidget::edit(index.sibling(index.row(), 0), trigger, event);
+}
+
 void Outliner::rename(QTreeWidgetItem* item) {
   if (is_filling_ || item->type() != slide_item) return;
   const SceneSlide* slide = editor_.workspace().document().find_slide(item->data(0, id_role).toLongLong());

@@ -16,6 +16,10 @@ class Outliner : public QTreeWidget {
  public:
   Outliner(Editor& editor, QWidget* parent);
 
+ protected:
+  // A row's name, whichever column is meant.
+  bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
+
  private:
   void update(WorkspaceChange change);
   using Key = std::pair<int, std::int64_t>;  // of an item: its type and id

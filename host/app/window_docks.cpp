@@ -90,6 +90,11 @@ void MainWindow::share_heights() {
               Qt::Vertical);
 }
 
+// Where panels are was noted before any was laid out: how high they are was not known then.
+void MainWindow::share_first_heights() {
+  if (std::exchange(was_never_wide_, false) || wide_docks_ == first_docks_) share_heights();
+}
+
 bool MainWindow::is_small() const { return width() < least_wide.width() || height() < least_wide.height(); }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -126,7 +131,7 @@ void MainWindow::set_narrow(bool narrow) {
     is_narrow_ = false;
     setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
     restoreState(wide_docks_);
-    if (std::exchange(was_never_wide_, false)) share_heights();
+    share_first_heights();
     show_panels(shown);
     return;
   }
@@ -198,7 +203,10 @@ void MainWindow::restore_layout() {
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
   const QByteArray docks = settings.value("docks").toByteArray();
-  if (restoreState(docks)) wide_docks_ = docks;
+  if (restoreState(docks)) {
+    wide_docks_ = docks;
+    share_first_heights();
+  }
   if (settings.contains("panels")) show_panels(settings.value("panels").toStringList());
 }
 

@@ -174,6 +174,7 @@ bool MainWindow::save_to(const fs::path& path) {
   QMessageBox box(QMessageBox::Warning, "Not saved", why, QMessageBox::Ok, this);
   const QPushButton* elsewhere = box.addButton("Save &As ...", QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Ok);
+  box.setEscapeButton(QMessageBox::Ok);
   box.exec();
   return box.clickedButton() == elsewhere && save_as();
 }

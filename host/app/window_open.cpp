@@ -9,6 +9,7 @@
 #include "host/app/age_text.h"
 #include "host/app/main_window.h"
 #include "host/app/put_aside.h"
+#include "host/app/script_recorder.h"
 #include "host/scene/scene_names.h"
 
 namespace cagewright::host {
@@ -71,7 +72,10 @@ void MainWindow::open(const fs::path& path) {
     return show_not_opened(said_.sentence);
   }
   remember(scene);
-  if (recovers) autosave_->keep_recovered();
+  if (recovers) {
+    autosave_->keep_recovered();
+    recorder_->record_scene();
+  }
   std::string notes;
   const auto add = [&notes](const std::string& note) { notes += (notes.empty() ? "" : "; ") + note; };
   if (autosave_->is_open_elsewhere())

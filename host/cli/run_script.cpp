@@ -22,9 +22,17 @@ namespace {
 
 // Not asked to enclose, a cage only has to be closed.
 bool is_good(const CageState& cage) {
-  if (cage.failed || !cage.certificate) return false;
+  if (cage.failed || !cage.certificate || !cage.is_of_now) return false;
   if (cage.summary.last_stage < CGW_STAGE_ENCLOSE) return cage.certificate->closed;
   return cage.certificate->encloses && cage.certificate->keeps_distance;
+}
+
+// Of one that is not good.
+std::string why_bad(const CageState& cage) {
+  const bool is_made = cage.certificate && cage.is_of_now;
+  if (!cage.failed && !is_made) return "no cage was made of the slides as they are";
+  if (!cage.problems.empty()) return cage.problems.front().sentence;
+  return is_made && !cage.certificate->closed ? "the cage is not closed" : "the cage does not enclose the model";
 }
 
 class ScriptRun {
@@ -89,12 +97,7 @@ class ScriptRun {
     static const std::set<std::string> judged = {"save", "export_cage", "wait", "report"};
     if (judged.count(command) == 0 || workspace_.mesh_node() < 0) return;
     is_good_ = is_good(workspace_.cage());
-    bad_ = place + "the cage does not enclose the model" + reason();
-  }
-
-  std::string reason() const {
-    const std::vector<Problem>& problems = workspace_.cage().problems;
-    return problems.empty() ? "" : ": " + problems.front().sentence;
+    bad_ = place + why_bad(workspace_.cage());
   }
 
   std::string name_;

@@ -42,7 +42,8 @@ struct CageSolver::State {
   }
 
   bool goes_on(double fraction, const std::string& stage) {
-    constexpr double worth_telling = 0.01;
+    constexpr double worth_telling = 0.01, almost_done = 0.999;  // it is done when its cage can be taken
+    fraction = std::min(fraction, almost_done);
     bool is_news = false;
     {
       const std::lock_guard lock(mutex);

@@ -52,12 +52,12 @@ std::vector<std::pair<std::string, double>> all_parameters(const std::vector<Par
   return all;
 }
 
-// Cages of meshes without slides are written only where the file has one already.
+// Cages of meshes without slides are written only where the file has one already, or for the parameters that they hold.
 void put_cages(SceneDocument& document, const std::vector<CageToSave>& cages) {
   for (const CageToSave& cage : cages) {
     const SceneCage* read = document.find_cage(cage.mesh_node);
     SceneCage made;
-    if (cage.is_made && (read != nullptr || cage.has_slides)) {
+    if (cage.is_made && (read != nullptr || cage.has_slides || !cage.set_parameters.empty())) {
       made = scene_cage(document, cage.mesh_node, cage.mesh, cage.report ? &cage.report->certificate : nullptr);
       made.slides = cage.slides;
       made.sections = cage.sections;

@@ -140,6 +140,11 @@ class Saving(DialogTest):
         window.focus('main_window')
         window.key('ctrl+s')
         window.focus_dialog('Not saved')
+        window.key('Escape')
+        window.focus('main_window')
+        self.assertFalse(window.ask(command='where', widget='Save As ...')['ok'])
+        window.key('ctrl+s')
+        window.focus_dialog('Not saved')
         window.click_widget('Save As ...')
         self.answer(window, 'Save as', self.in_folder('elsewhere.glb'))
         state = self.status(window, 'Saved elsewhere.glb')
@@ -212,10 +217,20 @@ class Exporting(DialogTest):
         self.assertTrue(window.settle()['cage']['failed'])
         window.key('ctrl+e')
         self.answer(window, 'Export the cage', self.in_folder('cage.obj'))
-        why = 'the last good cage, of 17 slides: the slides as they are now give none'
+        why = 'the last good cage: the slides as they are now give none'
         self.status(window, 'Exported to cage.obj: ' + why)
         window.run('save', path=self.in_folder('failed.glb'))
         self.status(window, 'Saved failed.glb with ' + why)
+
+    def test_it_is_said_where_the_cage_that_is_written_was_outdated_when_its_solve_was_cancelled(self):
+        window = self.open()
+        window.settle()
+        window.run('set_parameter', id='refine.delta', value=0.05)  # slow: seconds
+        window.focus('main_window')
+        window.key('Escape')
+        self.assertFalse(window.settle()['cage']['is_of_now'])
+        window.run('save', path=self.in_folder('old.glb'))
+        self.status(window, 'Saved old.glb with an older cage: that of the slides as they are now was not made')
 
     def test_a_picture_is_exported(self):
         window = self.open()

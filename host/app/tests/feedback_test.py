@@ -187,6 +187,20 @@ class Outliner(WindowTest):
         window.run('change_slide', slide='belly', move=[0, 0.001, 0])
         self.assertEqual(list(self.rows(window)), before)
 
+    def test_a_double_click_on_either_column_renames_the_slide(self):
+        window = self.open()
+        window.settle()
+        for old, new, is_kind in (('waist', 'belly', False), ('belly', 'girdle', True)):
+            row, at = self.rows(window)[old], window.where(widget='outliner')
+            window.move(row['x'] + (at['x'] + at['width'] - row['x']) * 0.75 if is_kind else row['x'], row['y'])
+            window.xdotool('click', '--repeat', 2, '--delay', 60, 1)
+            time.sleep(0.3)
+            window.key('ctrl+a')
+            window.type(new)
+            window.key('Return')
+            window.wait_until(lambda s: any(slide['name'] == new for slide in s['slides']), 'it is called ' + new)
+            self.assertEqual(self.rows(window)[new]['texts'][1], 'slide')
+
     def kind(self, window, kind):
         window.wait_until(lambda s: self.rows(window)['biped cage']['texts'][1] == kind, 'it says ' + kind)
 

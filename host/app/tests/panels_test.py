@@ -374,6 +374,45 @@ class Sizes(WindowTest):
                 window.resize(1400, 900)
                 window.wait_until(lambda s: self.heights(window) == before, 'they are as high as %r' % before)
 
+    def reset(self, window):
+        window.focus('main_window')
+        window.key('alt+v', 'n', 'r')
+        time.sleep(0.5)
+
+    def test_reset_panels_puts_back_what_was_hidden_moved_and_pressed_together(self):
+        window = self.open()
+        window.settle()
+        before, seen = self.heights(window), self.share(window)
+        self.drag_down(window, 'attributes_dock', -100)
+        self.drag_down(window, 'outliner_dock', 150)
+        self.toggle(window, 'problems')
+        self.assertNotEqual(self.heights(window), before)
+        self.reset(window)
+        window.wait_until(lambda s: self.heights(window) == before, 'they are as high as at first')
+        self.assertEqual(self.seen(window), list(self.panels))
+        self.assertEqual(self.share(window), seen)
+
+    def test_panels_that_were_reset_in_a_small_window_are_as_at_first_when_it_is_large(self):
+        home = tempfile.mkdtemp(prefix='cagewright-home-')
+        self.addCleanup(shutil.rmtree, home, True)
+        window = self.open(home=home)
+        window.settle()
+        before = self.heights(window)
+        self.drag_down(window, 'attributes_dock', -100)
+        window.resize(900, 560)
+        self.reset(window)
+        self.assertEqual(len(self.seen(window)), 1)  # tabs
+        window.resize(1400, 900)
+        window.wait_until(lambda s: self.heights(window) == before, 'they are as high as at first')
+        window.resize(900, 560)
+        self.reset(window)
+        window.key('ctrl+q')
+        self.assertEqual(window.process.wait(20), 0)
+        again = self.open(home=home)
+        again.settle()
+        again.resize(1400, 900)
+        again.wait_until(lambda s: self.heights(again) == before, 'they are as high as at first')
+
     def test_the_pointer_may_be_on_a_border_between_panels_while_they_become_tabs_and_back(self):
         window = self.open()
         window.settle()

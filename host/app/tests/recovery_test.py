@@ -104,6 +104,31 @@ class Recovering(QuestionTest):
         self.assertNotIn('brow', self.slides(window))
         self.assertTrue(os.path.exists(saved))
 
+    def test_what_is_recovered_while_a_script_is_recorded_is_in_it(self):
+        self.crash()
+        window = self.open()
+        window.run('record', path=path('recovering.jsonl'))
+        window.focus('main_window')
+        window.key('ctrl+o')
+        window.focus_dialog('Open')
+        time.sleep(0.3)
+        window.key('ctrl+a')
+        window.type(path('left.glb'))
+        window.key('Return')
+        self.question(window, 'Recover', None)
+        window.click_widget('Yes')
+        window.wait_until(lambda s: s['has_scene'], 'it is open')
+        window.run('remove_slides', slides=['neck'])
+        window.run('record')
+        slides = self.slides(window)
+        window.close()
+        again = self.open()
+        with open(path('recovering.jsonl')) as file:
+            for line in file:
+                self.assertTrue(again.ask_line(line.strip())['ok'], line)
+        self.assertEqual(self.slides(again), slides)
+        self.assertNotIn('brow', slides)
+
     def test_no_opens_what_was_saved_and_keeps_the_changes_aside(self):
         saved = self.crash()
         with open(saved, 'rb') as file:

@@ -131,11 +131,22 @@ TEST_F(ScriptProgramTest, ACageWithoutACertificateIsExitCodeOne) {
       "{\"command\": \"wait\"}\n";
   const ProgramRun failed = run({"--command", script("s.script", lines)});
   EXPECT_EQ(failed.exit_code, 1) << failed.errors;
-  EXPECT_NE(failed.errors.find("the cage does not enclose the model: "), std::string::npos) << failed.errors;
+  EXPECT_NE(failed.errors.find("s.script:3: slide 'a' "), std::string::npos) << failed.errors;
   EXPECT_NE(failed.output.find("'a'"), std::string::npos) << "the problem is said";
   const ProgramRun mended =
       run({"--command", script("s.script", lines + "{\"command\": \"undo\"}\n{\"command\": \"wait\"}")});
   EXPECT_EQ(mended.exit_code, 0) << mended.output;
+}
+
+TEST_F(ScriptProgramTest, ACageWhoseSolveWasCancelledIsExitCodeOneAndIsNotToldAsOneThatDoesNotEnclose) {
+  std::string lines = "{\"command\": \"open\", \"path\": \"FOLDER/limb.off\"}\n";
+  for (const char* y : {"-0.4", "0", "0.4"})
+    lines += std::string("{\"command\": \"add_slide\", \"point\": [0, ") + y + ", 0], \"normal\": [0, 1, 0]}\n";
+  const ProgramRun cancelled =
+      run({"--command", script("s.script", lines + "{\"command\": \"cancel\"}\n{\"command\": \"wait\"}\n")});
+  EXPECT_EQ(cancelled.exit_code, 1);
+  EXPECT_NE(cancelled.errors.find("s.script:6: no cage was made of the slides as they are"), std::string::npos)
+      << cancelled.errors;
 }
 
 TEST_F(ScriptProgramTest, WhatMakesNoSenseOnTheCommandLineIsExitCodeTwo) {

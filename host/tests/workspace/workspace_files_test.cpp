@@ -45,6 +45,18 @@ TEST_F(WorkspaceFilesTest, WhatIsSavedOpensWithItsSlidesParametersAndCage) {
   }
 }
 
+TEST_F(WorkspaceFilesTest, ParametersOfAModelWithoutSlidesAreSavedAndWithoutThemNoCageIs) {
+  workspace_.open(model_);
+  workspace_.save(folder_ / "plain.glb");
+  EXPECT_TRUE(SceneDocument(folder_ / "plain.glb").cages().empty());
+  workspace_.set_parameter("refine.delta", 0.02);
+  workspace_.save(folder_ / "a.glb");
+  Workspace again(plugin_, {});
+  again.open(folder_ / "a.glb");
+  EXPECT_EQ(again.parameter("refine.delta"), 0.02);
+  EXPECT_TRUE(again.slides().empty());
+}
+
 TEST_F(WorkspaceFilesTest, SavedFollowsTheStepsOfUndo) {
   open_with_slides({0});
   EXPECT_FALSE(workspace_.is_saved());
