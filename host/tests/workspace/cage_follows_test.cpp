@@ -338,7 +338,7 @@ TEST_F(CageFollowsTest, AWholeSolveOfABigModelIsCancelledWithinASecondAndLeavesN
     const auto begin = Clock::now();
     workspace.cancel_solve();
     workspace.wait_for_cage();
-    EXPECT_LT(seconds_since(begin), 1.0);
+    EXPECT_LT(seconds_since(begin), is_sanitized ? 10.0 : 1.0);
     EXPECT_FALSE(workspace.progress().is_solving);
     EXPECT_FALSE(workspace.cage().is_of_now) << "it was done before it could be cancelled";
     EXPECT_FALSE(workspace.cage().failed);

@@ -16,12 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Sanitizers make a session five to twenty times as slow: half of one, in two scenes, is enough for them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool is_sanitized = true;
-#else
-constexpr bool is_sanitized = false;
-#endif
+// With sanitizers half of a session, in two scenes, is enough.
 constexpr std::size_t commands_of_a_session = is_sanitized ? 100 : 200;
 
 class UndoTest : public WorkspaceTest {

@@ -16,6 +16,13 @@
 
 namespace cagewright::host::test {
 
+// Sanitizers make things five to twenty times as slow.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 // A workspace with the real plug-in, and an ellipsoid along y, from -2 to 2, in a file.
 class WorkspaceTest : public testing::Test {
  protected:
