@@ -307,7 +307,8 @@ class Enclosing {
       const FarthestOff farthest = farthest_off();
       findings.push_back(too_large_finding(ratio, farthest.place, farthest.slides, names_));
     }
-    if (!limbs_merged_.empty()) findings.push_back(merged_finding(limbs_merged_, result_.sections_merged, names_));
+    if (!limbs_merged_.empty())
+      findings.push_back(merged_finding(limbs_merged_, result_.sections_merged, options_.in_plane, names_));
     return findings;
   }
 

@@ -8,6 +8,7 @@
 namespace cagewright {
 namespace {
 
+constexpr char leave_planes[] = "let sections leave their slides' planes (enclose.in_plane=false), or ";
 constexpr std::size_t most_pairs_named = 3;  // of limbs, in a sentence
 
 std::string number(double value) {
@@ -126,18 +127,19 @@ Finding off_plane_finding(const std::set<int>& slides, const std::vector<std::st
 
 Finding too_large_finding(double ratio, const Vector3& place, const std::set<int>& slides,
                           const std::vector<std::string>& names) {
-  std::string text = "the cage is " + number(ratio) +
-                     " times as large as the model: let sections leave their slides' planes (enclose.in_plane=false), "
-                     "or add slides where it stands off";
+  std::string text = "the cage is " + number(ratio) + " times as large as the model: " + leave_planes +
+                     "add slides where it stands off";
   if (!slides.empty()) text += ", farthest near " + quoted(slides, names);
   return {std::move(text), listed(slides), place, true};
 }
 
-Finding merged_finding(const SlidePairs& limbs, const std::vector<int>& lost, const std::vector<std::string>& names) {
+Finding merged_finding(const SlidePairs& limbs, const std::vector<int>& lost, bool in_plane,
+                       const std::vector<std::string>& names) {
   auto [text, slides] = limbs_of(limbs, names);
   text = "the cages of " + text + " run into each other and were made one there";
   if (!lost.empty()) text += ", which took away " + sections_of({lost.begin(), lost.end()}, names);
-  text += ": move or turn these slides, or add one beside them, to keep them apart";
+  text += std::string(": ") + (in_plane ? leave_planes : "") +
+          "move or turn these slides, or add one beside them, to keep them apart";
   slides.insert(lost.begin(), lost.end());
   return {std::move(text), listed(slides), {}, true};
 }

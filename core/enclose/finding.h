@@ -42,6 +42,7 @@ Finding off_plane_finding(const std::set<int>& slides, const std::vector<std::st
 Finding too_large_finding(double ratio, const Vector3& place, const std::set<int>& slides,
                           const std::vector<std::string>& names);
 // Limbs that were made one, by pairs of their slides; `lost`, ascending: those whose sections are whole no longer.
-Finding merged_finding(const SlidePairs& limbs, const std::vector<int>& lost, const std::vector<std::string>& names);
+Finding merged_finding(const SlidePairs& limbs, const std::vector<int>& lost, bool in_plane,
+                       const std::vector<std::string>& names);
 
 }  // namespace cagewright

@@ -19,20 +19,21 @@ TEST(Finding, OfOneSectionOffItsPlaneIsInTheSingular) {
 }
 
 TEST(Finding, OfMergedLimbsNamesEverySlideThatLostItsSection) {
-  const Finding finding = merged_finding({{0, 1}, {2, 3}}, {1, 5}, names);
-  EXPECT_EQ(finding.sentence,
-            "the cages of the limbs at 'hip' and 'knee', and those at 'heel' and 'wrist' run into each other and were "
-            "made one there, which took away the sections of the slides 'knee', 'neck': move or turn these slides, or "
-            "add one beside them, to keep them apart");
+  const Finding finding = merged_finding({{0, 1}, {2, 3}}, {1, 5}, true, names);
+  EXPECT_EQ(
+      finding.sentence,
+      "the cages of the limbs at 'hip' and 'knee', and those at 'heel' and 'wrist' run into each other and were "
+      "made one there, which took away the sections of the slides 'knee', 'neck': let sections leave their slides' "
+      "planes (enclose.in_plane=false), or move or turn these slides, or add one beside them, to keep them apart");
   EXPECT_EQ(finding.slides, (std::vector<int>{0, 1, 2, 3, 5}));
   EXPECT_EQ(
-      merged_finding({{0, 1}}, {}, names).sentence,
+      merged_finding({{0, 1}}, {}, false, names).sentence,
       "the cages of the limbs at 'hip' and 'knee' run into each other and were made one there: move or turn these "
       "slides, or add one beside them, to keep them apart");
 }
 
 TEST(Finding, OfManyMergedLimbsNamesThreePairs) {
-  const Finding finding = merged_finding({{0, 1}, {2, 3}, {4, 5}, {6, 7}}, {}, names);
+  const Finding finding = merged_finding({{0, 1}, {2, 3}, {4, 5}, {6, 7}}, {}, true, names);
   EXPECT_NE(finding.sentence.find("and those at 'elbow' and 'neck', and others run into"), std::string::npos)
       << finding.sentence;
   EXPECT_EQ(finding.slides, (std::vector<int>{0, 1, 2, 3, 4, 5}));
@@ -72,7 +73,7 @@ TEST(Finding, OnlyADistanceThatIsNotKeptIsNoAdvice) {
   EXPECT_NE(finding.sentence.find("; in each other's way may be the limbs at 'heel' and 'elbow'"), std::string::npos);
   EXPECT_TRUE(off_plane_finding({1}, names).is_advice);
   EXPECT_TRUE(too_large_finding(3, Vector3::Zero(), {1}, names).is_advice);
-  EXPECT_TRUE(merged_finding({{0, 1}}, {}, names).is_advice);
+  EXPECT_TRUE(merged_finding({{0, 1}}, {}, false, names).is_advice);
 }
 
 }  // namespace

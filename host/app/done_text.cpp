@@ -39,6 +39,8 @@ std::string doubt_text(const Workspace& workspace) {
   if (cage.cage.triangles.empty()) return {};
   if (cage.failed) return "the last good cage: the slides as they are now give none";
   if (workspace.plugin() && !cage.is_of_now) return "an older cage: that of the slides as they are now was not made";
+  if (!workspace.plugin() && !workspace.stack().undo_label().empty())
+    return "the cage that it had: without a plug-in that of the slides as they are now is not made";
   if (cage.certificate && !cage.certificate->encloses) return "a cage that is not certified";
   return {};
 }

@@ -91,6 +91,8 @@ class MainWindow : public QMainWindow {
   // Panels and tool bar, by their object names.
   QStringList shown_panels() const;
   void show_panels(const QStringList& shown);
+  void show_panel(const QString& name);
+  void rename_slide();
   void reset_panels();
   void save_layout() const;
   void show_parameter_of(const std::string& sentence);

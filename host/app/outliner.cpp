@@ -231,6 +231,15 @@ void Outliner::take_selection() {
   editor_.run({{"command", "select"}, {"slides", names}});
 }
 
+void Outliner::edit_name(std::int64_t slide) {
+  const auto found = slides_.find(slide);
+  if (found == slides_.end()) return;
+  setFocus();
+  scrollToItem(found->second);  // unfolds what it is in
+  selectionModel()->setCurrentIndex(indexFromItem(found->second), QItemSelectionModel::NoUpdate);
+  editItem(found->second, 0);
+}
+
 bool Outliner::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
   return QTreeWidget::edit(index.sibling(index.row(), 0), trigger, event);
 }

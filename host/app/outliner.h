@@ -15,6 +15,8 @@ namespace cagewright::host {
 class Outliner : public QTreeWidget {
  public:
   Outliner(Editor& editor, QWidget* parent);
+  // Begins, where the slide of that id is in the tree.
+  void edit_name(std::int64_t slide);
 
  protected:
   // A row's name, whichever column is meant.

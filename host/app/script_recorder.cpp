@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "host/file/atomic_file.h"
 #include "host/file/file_error.h"
 
 namespace cagewright::host {
@@ -18,6 +19,7 @@ ScriptRecorder::ScriptRecorder(Editor& editor, std::function<void(const std::str
 
 void ScriptRecorder::start(const std::filesystem::path& path) {
   stop();
+  require_writable(path);
   file_.open(path, std::ios::trunc);
   if (!file_) throw FileError(path, {}, "a script cannot be written here");
   path_ = path;

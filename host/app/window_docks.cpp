@@ -69,13 +69,24 @@ void MainWindow::make_docks() {
   first_docks_ = saveState();
 }
 
+// Though it was hidden, or behind others.
+void MainWindow::show_panel(const QString& name) {
+  auto* dock = findChild<QDockWidget*>(name);
+  dock->show();
+  is_narrow_ ? show_tab(dock) : dock->raise();
+}
+
+void MainWindow::rename_slide() {
+  if (editor_->workspace().selection().empty()) return;
+  show_panel("outliner_dock");
+  findChild<Outliner*>()->edit_name(editor_->workspace().selection().back());
+}
+
 // The field of the parameter that a sentence advises to set.
 void MainWindow::show_parameter_of(const std::string& sentence) {
   QWidget* field = parameters_->field_named_in(sentence);
   if (!field) return;
-  auto* dock = findChild<QDockWidget*>("attributes_dock");
-  dock->show();
-  is_narrow_ ? show_tab(dock) : dock->raise();
+  show_panel("attributes_dock");
   auto* area = static_cast<QScrollArea*>(tabs_->widget(1));
   tabs_->setCurrentWidget(area);
   field->setFocus(Qt::TabFocusReason);  // with the frame that shows where it is

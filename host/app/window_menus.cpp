@@ -121,6 +121,9 @@ void MainWindow::make_edit_menu() {
                  [this] { paste_slides(); }}));
   add_for_selection(menu, "duplicate", "&Duplicate Slides", "Ctrl+D", "Adds a copy of each selected slide beside it",
                     {{"command", "duplicate_slides"}});
+  for_selection_.push_back(add(
+      menu, {"rename", "Re&name Slide", "F2", "Types another name in the outliner, of the slide that was selected last",
+             [this] { rename_slide(); }}));
   add_for_selection(menu, "delete", "De&lete Slides", "Del, Backspace", "Removes the selected slides",
                     {{"command", "remove_slides"}});
   menu.addSeparator();

@@ -25,19 +25,28 @@ void MainWindow::record_script() {
   if (recorder_->is_recording()) return record({});
   const Workspace& workspace = editor_->workspace();
   const std::filesystem::path folder = workspace.has_scene() ? workspace.path().parent_path() : "";
-  record(choose_name("Record a script", folder.empty() ? folder : folder / "", "Scripts (*.jsonl);;All files (*)")
-             .toStdString());
+  const QString script =
+      choose_name("Record a script", folder.empty() ? folder : folder / "", "Scripts (*.jsonl);;All files (*)");
+  record_->setChecked(false);
+  if (script.isEmpty()) return;
+  try {
+    record(script.toStdString());
+  } catch (const std::exception& error) {
+    QMessageBox::warning(this, "Not recorded", error.what());
+  }
 }
 
 void MainWindow::record(const std::filesystem::path& path) {
   const bool was_recording = recorder_->is_recording();
   recorder_->stop();
-  if (!path.empty()) {
-    if (editor_->attempt([&] { recorder_->start(path); })) say_done("Recording to " + path.filename().string());
-  } else if (was_recording) {
-    say_done("The recording is ended");
+  record_->setChecked(false);
+  if (path.empty()) {
+    if (was_recording) say_done("The recording is ended");
+    return;
   }
-  record_->setChecked(recorder_->is_recording());
+  recorder_->start(path);
+  record_->setChecked(true);
+  say_done("Recording to " + path.filename().string());
 }
 
 void MainWindow::run_script() {

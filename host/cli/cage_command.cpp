@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,26 @@ void check_outputs(const CageCommand& command) {
   if (command.picture) require_display();
 }
 
+std::string value_text(const Parameter& parameter, double value) {
+  if (parameter.type == CGW_PARAM_BOOLEAN) return value != 0 ? "true" : "false";
+  if (parameter.type == CGW_PARAM_CHOICE && value >= 0 && value < static_cast<double>(parameter.choices.size()))
+    return parameter.choices[static_cast<std::size_t>(value)];
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+// As the options that would set them, "--set refine.delta=0.02"; empty: there are none that the plug-in knows.
+std::string other_parameters(const std::vector<std::pair<std::string, double>>& of_scene, const Plugin& plugin,
+                             const Session& session) {
+  std::string text;
+  for (const Parameter& parameter : plugin.parameters())
+    for (const auto& [id, value] : of_scene)
+      if (id == parameter.id && value != session.parameter(id))
+        text += (text.empty() ? "--set " : " --set ") + id + "=" + value_text(parameter, value);
+  return text;
+}
+
 class CageRun {
  public:
   explicit CageRun(const CageCommand& command) : command_(command), progress_(command.quiet) {}
@@ -75,6 +96,7 @@ class CageRun {
     const double read_ms = total_.milliseconds();
     for (const CageTarget& target : input_.targets)
       solved_.push_back(solve_cage(command_, plugin_, target, listener()));
+    note_other_parameters();
     write(read_ms);
     const auto is_good = [](const SolvedCage& solved) { return solved.is_good; };
     return std::all_of(solved_.begin(), solved_.end(), is_good) ? exit_done : exit_not_certified;
@@ -91,6 +113,17 @@ class CageRun {
       return !was_interrupted();
     };
     return listener;
+  }
+
+  // A cage in the scene may have been made with others, which a written scene has no longer.
+  void note_other_parameters() {
+    if (!input_.scene) return;
+    for (std::size_t i = 0; i < solved_.size(); ++i) {
+      const std::string others =
+          other_parameters(input_.scene->parameters(input_.targets[i].node), *plugin_, *solved_[i].session);
+      if (!others.empty())
+        progress_.note("the scene's cage was made with other parameters than this one; to keep them: " + others);
+    }
   }
 
   // No output takes the place of a file that the scene names.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/plugin_client/plugin_error.h"
+#include "host/plugin_client/whole_library.h"
 
 namespace cagewright::host {
 namespace {
@@ -19,6 +20,15 @@ std::string last_loader_error() { return text_or_empty(::dlerror()); }
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason) {
   throw PluginLoadError(path.string() + ": is no plug-in for this program: " + reason);
+}
+
+void require_whole(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (error) return;  // whoever opens it says why
+  if (const auto needed = bytes_of_whole_library(path); needed && bytes < *needed)
+    throw PluginLoadError(path.string() + ": the plug-in cannot be loaded: the file is cut short, after " +
+                          std::to_string(bytes) + " of " + std::to_string(*needed) + " bytes or more: copy it again");
 }
 
 // What this program cannot do without: ABI 1.2.
@@ -59,6 +69,7 @@ Plugin::Plugin(std::filesystem::path path, std::unique_ptr<void, Unload> library
 std::shared_ptr<const Plugin> Plugin::load(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw PluginLoadError(path.string() + ": there is no such plug-in");
+  require_whole(path);
   // A name without a slash would be looked for in the system's folders.
   const std::string absolute = std::filesystem::absolute(path).string();
   std::unique_ptr<void, Unload> library(::dlopen(absolute.c_str(), RTLD_NOW | RTLD_LOCAL));

@@ -4,12 +4,14 @@
 
 #include <cmath>
 
+#include "host/file/file_bytes.h"
 #include "host/plugin_client/find_plugin.h"
 #include "host/plugin_client/plugin.h"
 #include "host/plugin_client/plugin_error.h"
 #include "host/plugin_client/session.h"
 #include "host/tests/environment.h"
 #include "host/tests/sample_meshes.h"
+#include "host/tests/temporary_folder.h"
 
 namespace cagewright::host {
 namespace {
@@ -61,6 +63,19 @@ TEST(Plugin, IsRefusedWithTheFileAndTheReason) {
     expect_load_error(FAKE_PLUGIN, {"no plug-in for this program", reason});
     EXPECT_FALSE(is_loaded()) << what;
   }
+}
+
+// The loader would map it, and the program end where it reads what is not there.
+TEST(Plugin, ThatIsCutShortAnywhereIsRefused) {
+  const std::string whole = read_bytes(FAKE_PLUGIN);
+  ASSERT_GT(whole.size(), 5000u);
+  const TemporaryFolder folder;
+  for (const std::size_t size :
+       {std::size_t{64}, std::size_t{70}, std::size_t{700}, whole.size() / 4, whole.size() / 2}) {
+    const std::filesystem::path cut = folder.write("cut.so", whole.substr(0, size));
+    expect_load_error(cut.string(), {"cut.so", "cut short, after " + std::to_string(size) + " of "});
+  }
+  EXPECT_NO_THROW(Plugin::load(folder.write("copy.so", whole)));
 }
 
 TEST(Session, CertificateListsItsFindingsWhereThePluginDoes) {

@@ -487,5 +487,20 @@ TEST_F(ProgramScene, GoesTheWholeRoadWithTheRealPlugin) {
   EXPECT_TRUE(folder.read("again.glb") == folder.read("out.glb")) << "the same scene gives the same bytes";
 }
 
+TEST_F(ProgramScene, TellsOfParametersThatTheScenesCageHadAndThisOneHasNot) {
+  const std::string in = own("slides_plain.glb");
+  const std::vector<std::string> set = {"--set", "refine.delta=0.01", "--set", "enclose.in_plane=false"};
+  std::vector<std::string> first = {"cage", in, "-o", at("out.glb")},
+                           again = {"cage", at("out.glb"), "-o", at("again.glb")};
+  first.insert(first.end(), set.begin(), set.end());
+  EXPECT_EQ(run_program(first, real).exit_code, 0);
+  EXPECT_NE(run_program(again, real)
+                .errors.find("the scene's cage was made with other parameters than this one; to keep "
+                             "them: --set refine.delta=0.01 --set enclose.in_plane=false\n"),
+            std::string::npos);
+  again.insert(again.end(), set.begin(), set.end());
+  EXPECT_EQ(run_program(again, real).errors.find("other parameters"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cagewright::host

@@ -68,7 +68,9 @@ std::string tighter_cells(const TighterCage& t) {
 
 std::string optimality_table(const Validation& v) {
   if (!v.optimality) {
-    return v.certified ? "<p>Not asked for.</p>\n" : "<p>None: the plug-in's cage is not certified.</p>\n";
+    return v.certified ? "<p>Not asked for.</p>\n"
+                       : "<p>None: the plug-in's cage, whose limbs are not merged here (<code>enclose.merge</code>), "
+                         "is not certified.</p>\n";
   }
   return "<p>The plug-in's cage has the volume ratio " + text_of(v.optimality->volume_ratio) +
          ". With the same triangles the slow optimiser reached, certified by the plug-in:</p>\n"

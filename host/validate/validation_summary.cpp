@@ -46,7 +46,7 @@ std::string validation_summary(const Validation& v) {
             tighter_text("sections as they have to be", v.optimality->shaped) +
             tighter_text("sections free", v.optimality->free);
   } else if (!v.certified) {
-    text += "optimality gap: none, for the cage is not certified\n";
+    text += "optimality gap: none, for the cage, whose limbs are not merged here (enclose.merge), is not certified\n";
   }
   return text;
 }

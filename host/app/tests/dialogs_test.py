@@ -40,6 +40,18 @@ class DialogTest(WindowTest):
         window.type(text)
         window.key('Return')
 
+    def closed_folder(self):
+        """With a scene in it, for programs that obey permissions."""
+        closed = self.in_folder('closed')
+        os.mkdir(closed)
+        shutil.copy(path('biped.glb'), closed)
+        os.chmod(closed, 0o555)
+        self.addCleanup(os.chmod, closed, 0o755)
+        if subprocess.run(['touch', os.path.join(closed, 'written')], preexec_fn=obey_permissions,
+                          stderr=subprocess.DEVNULL).returncode == 0:
+            self.skipTest('root cannot be kept from writing here (prctl)')
+        return closed
+
     def status(self, window, text):
         return window.wait_until(lambda s: text in s['status'], 'the status line says: ' + text)
 
@@ -84,6 +96,13 @@ class Plugins(DialogTest):
         window.click_widget('Load ...')
         self.answer(window, 'Load a plug-in', self.in_folder('broken.so'))
         self.dismiss(window, 'Not loaded')
+        with open(os.path.join(os.path.dirname(PROGRAM), 'cagewright_plugin.so'), 'rb') as file:
+            half = file.read(300000)
+        with open(self.in_folder('half.so'), 'wb') as file:
+            file.write(half)
+        window.click_widget('Load ...')
+        self.answer(window, 'Load a plug-in', self.in_folder('half.so'))
+        self.dismiss(window, 'Not loaded')
         self.assertEqual(self.text(window, 'File'), loaded)
         other = self.in_folder('other.so')
         shutil.copy(os.path.join(os.path.dirname(PROGRAM), 'cagewright_plugin.so'), other)
@@ -125,14 +144,7 @@ class Saving(DialogTest):
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_a_scene_that_cannot_be_written_where_it_is_can_be_saved_under_another_name_at_once(self):
-        closed = self.in_folder('closed')
-        os.mkdir(closed)
-        shutil.copy(path('biped.glb'), closed)
-        os.chmod(closed, 0o555)
-        self.addCleanup(os.chmod, closed, 0o755)
-        if subprocess.run(['touch', os.path.join(closed, 'written')], preexec_fn=obey_permissions,
-                          stderr=subprocess.DEVNULL).returncode == 0:
-            self.skipTest('root cannot be kept from writing here (prctl)')
+        closed = self.closed_folder()
         window = self.open(os.path.join(closed, 'biped.glb'), before=obey_permissions)
         window.settle()
         window.run('remove_slides', slides=['brow'])
@@ -149,6 +161,19 @@ class Saving(DialogTest):
         self.answer(window, 'Save as', self.in_folder('elsewhere.glb'))
         state = self.status(window, 'Saved elsewhere.glb')
         self.assertTrue(state['saved'])
+        self.assertEqual(os.listdir(closed), ['biped.glb'])
+
+    def test_a_recording_that_cannot_be_written_is_told_in_a_box(self):
+        closed = self.closed_folder()
+        window = self.open(before=obey_permissions)
+        window.settle()
+        window.key('alt+f', 'd')
+        self.answer(window, 'Record a script', os.path.join(closed, 'r.jsonl'))
+        window.focus_dialog('Not recorded')
+        self.assertIn('Permission denied', window.where(widget='qt_msgbox_label')['text'])
+        window.click_widget('OK')
+        self.assertNotIn('record_script', window.state()['marks'])
+        self.assertFalse(window.ask(command='record', path=os.path.join(closed, 'r.jsonl'))['ok'])
         self.assertEqual(os.listdir(closed), ['biped.glb'])
 
     def test_a_name_without_an_ending_gets_the_chosen_filters_and_a_scene_of_that_name_is_asked_about(self):
@@ -221,6 +246,18 @@ class Exporting(DialogTest):
         self.status(window, 'Exported to cage.obj: ' + why)
         window.run('save', path=self.in_folder('failed.glb'))
         self.status(window, 'Saved failed.glb with ' + why)
+
+    def test_it_is_said_where_the_cage_that_is_written_is_that_of_slides_before_for_want_of_a_plugin(self):
+        scene = self.in_folder('moved.glb')
+        shutil.copy(path('biped.glb'), scene)
+        window = self.open(scene, environment={'CAGEWRIGHT_PLUGIN': self.in_folder('none.so')})
+        window.run('save')
+        self.status(window, 'Saved moved.glb')
+        self.assertEqual(window.state()['status'], 'Saved moved.glb')
+        window.run('change_slide', slide='waist', move=[0, 0.02, 0])
+        window.run('save')
+        self.status(window, 'Saved moved.glb with the cage that it had: without a plug-in that of the slides as they are '
+                            'now is not made')
 
     def test_it_is_said_where_the_cage_that_is_written_was_outdated_when_its_solve_was_cancelled(self):
         window = self.open()

@@ -201,6 +201,24 @@ class Outliner(WindowTest):
             window.wait_until(lambda s: any(slide['name'] == new for slide in s['slides']), 'it is called ' + new)
             self.assertEqual(self.rows(window)[new]['texts'][1], 'slide')
 
+    def test_f2_renames_the_slide_that_was_selected_last_also_from_the_view_and_with_the_outliner_hidden(self):
+        window = self.open()
+        window.settle()
+        self.assertIn('rename', window.state()['disabled'])
+        for old, new in (('waist', 'belly'), ('neck', 'nape')):
+            window.run('select', slides=['brow', old])
+            window.focus('main_window')
+            window.key('F2')
+            time.sleep(0.5)
+            window.key('ctrl+a')
+            window.type(new)
+            window.key('Return')
+            state = window.wait_until(lambda s: any(slide['name'] == new for slide in s['slides']), 'it is ' + new)
+            self.assertEqual(len(state['slides']), 17)
+            window.click_widget('view')
+            window.key('alt+v', 'n', 'Return')  # the outliner is hidden
+            window.wait_until(lambda s: not window.ask(command='where', widget='outliner')['ok'], 'it is hidden')
+
     def kind(self, window, kind):
         window.wait_until(lambda s: self.rows(window)['biped cage']['texts'][1] == kind, 'it says ' + kind)
 

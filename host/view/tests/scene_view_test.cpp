@@ -120,6 +120,21 @@ TEST_F(SceneLook, SlidesBehindTheModelShowThroughFaintly) {
   EXPECT_GT(image.count([](int r, int g, int b) { return r > g + 30 && r > b + 30; }), 300);
 }
 
+// Where the eye is within it, clipping planes are far apart, and most of the depths between them are near the eye.
+TEST_F(SceneLook, LinesBehindAModelAreHiddenAndThoseBeforeItAreNotAlsoInAMuchLargerScene) {
+  for (const double size : {1.0, 60.0}) {
+    SCOPED_TRACE(size);
+    show_slide(level_slide(1, 0.97));  // just inside the sphere
+    view->set_meshes({shown(sphere_mesh(96)), shown(box_mesh(size), 1, false)});
+    ViewOptions options = view->options();
+    options.other_meshes = size > 1;
+    show(options);
+    EXPECT_LT(draw("inside").count(is_red), 10);
+    view->set_slides({level_slide(1, 1.0)});  // on it
+    EXPECT_GT(draw("on").count(is_red), 200);
+  }
+}
+
 TEST_F(SceneLook, FailedSlidesAreDashedWithTheirSentenceBeside) {
   ShownSlide slide = level_slide(1, 1.3, 0);
   show_slide(slide);
