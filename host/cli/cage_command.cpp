@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "host/cli/cage_input.h"
@@ -26,6 +27,7 @@
 #include "host/file/mesh_writer.h"
 #include "host/plugin_client/find_plugin.h"
 #include "host/view/picture.h"
+#include "host/workspace/describe_run.h"
 #include "host/workspace/scene_picture.h"
 
 namespace cagewright::host {
@@ -62,11 +64,8 @@ void check_outputs(const CageCommand& command) {
 }
 
 std::string value_text(const Parameter& parameter, double value) {
-  if (parameter.type == CGW_PARAM_BOOLEAN) return value != 0 ? "true" : "false";
-  if (parameter.type == CGW_PARAM_CHOICE && value >= 0 && value < static_cast<double>(parameter.choices.size()))
-    return parameter.choices[static_cast<std::size_t>(value)];
   std::ostringstream text;
-  text << value;
+  std::visit([&text](const auto& it) { text << std::boolalpha << it; }, option_value(parameter, value));
   return text.str();
 }
 

@@ -19,15 +19,6 @@ std::optional<std::int64_t> known_genus(std::int64_t genus) {
   return genus >= 0 ? std::optional<std::int64_t>(genus) : std::nullopt;
 }
 
-Report::Option option_value(const Parameter& parameter, double value) {
-  if (parameter.type == CGW_PARAM_BOOLEAN) return value != 0;
-  if (parameter.type == CGW_PARAM_INTEGER) return static_cast<std::int64_t>(value);
-  if (parameter.type == CGW_PARAM_CHOICE && value >= 0 && value < static_cast<double>(parameter.choices.size())) {
-    return parameter.choices[static_cast<std::size_t>(value)];
-  }
-  return value;
-}
-
 RunOptions with_parameters(RunOptions options, const Plugin& plugin, const Session& session) {
   for (const Parameter& parameter : plugin.parameters()) {
     options.emplace_back(parameter.id, option_value(parameter, session.parameter(parameter.id)));
@@ -55,6 +46,15 @@ Report::Refinement describe_refinement(const Session& session, const cgw_summary
 }
 
 }  // namespace
+
+Report::Option option_value(const Parameter& parameter, double value) {
+  if (parameter.type == CGW_PARAM_BOOLEAN) return value != 0;
+  if (parameter.type == CGW_PARAM_INTEGER) return static_cast<std::int64_t>(value);
+  if (parameter.type == CGW_PARAM_CHOICE && value >= 0 && value < static_cast<double>(parameter.choices.size())) {
+    return parameter.choices[static_cast<std::size_t>(value)];
+  }
+  return value;
+}
 
 Report::Certificate describe_certificate(const Certificate& certificate) {
   static constexpr std::size_t most_listed = 100;

@@ -12,6 +12,9 @@
 
 namespace cagewright::host {
 
+// As reports and options have it: a choice by its name, a boolean as one.
+Report::Option option_value(const Parameter& parameter, double value);
+
 using RunOptions = std::vector<std::pair<std::string, Report::Option>>;
 
 // What a solved session tells, without the timings of a program (read, write, total) and its memory. `cage` is what the
